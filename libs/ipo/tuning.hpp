@@ -8,7 +8,7 @@
 // After `Test` stands, where that has been tried, another value and the first test of tests/ipo
 // that fails with it (its three slowest were left out). Where none fails, the constant costs or
 // saves time, or the margins of others cover it; before such a one is changed,
-// scripts/random_programs and scripts/feed_table have to be run.
+// scripts/stress programs and scripts/generate feed have to be run.
 #pragma once
 
 #include <array>

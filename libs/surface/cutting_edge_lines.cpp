@@ -10,8 +10,8 @@
 namespace softcnc::surface {
 namespace {
 
-constexpr double kTurn = std::numbers::pi / 32;  // rad, at most, from instant to instant
-constexpr double kTravel = 0.01;                 // of the radius, at most
+constexpr double kLargestTurn = std::numbers::pi / 32;  // rad, at most, from instant to instant
+constexpr double kTravel = 0.01;                        // of the radius, at most
 constexpr double kInstants = 4096;
 constexpr double kFlat = 1e-12;  // a line along the row passes it far away
 constexpr double kSeam = 1e-7;   // points: rounding where one pass goes over into the next
@@ -19,7 +19,7 @@ constexpr double kSeam = 1e-7;   // points: rounding where one pass goes over in
 std::size_t instants_of(const EdgePass& pass, const Cutter& cutter) {
   const double turn = 2 * std::numbers::pi / cutter.teeth;
   const double travel = (pass.to - pass.from).norm() + 2 * pass.bulge;
-  const double steps = std::max(turn / kTurn, travel / (kTravel * cutter.radius));
+  const double steps = std::max(turn / kLargestTurn, travel / (kTravel * cutter.radius));
   return static_cast<std::size_t>(std::clamp(std::ceil(steps - 1e-9), 2.0, kInstants)) + 1;
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr float kGouge = 0.005F;       // mm: more than the ideal surface may be wrong by
 constexpr float kResolved = 0.00001F;  // mm: what heights may be wrong by
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 float um(float mm) { return static_cast<float>(um_from_mm(static_cast<double>(mm))); }
 

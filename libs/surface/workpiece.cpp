@@ -21,7 +21,6 @@ constexpr double kRounding = 1e-9;  // mm
 constexpr double kClose = 0.02;  // of the radius: the height above a plane that close passes reach
 constexpr std::size_t kAtOnce = 48;                       // passes put in order
 constexpr std::size_t kMostLines = std::size_t{1} << 24;  // bytes of edges that are kept
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// z = slope_x x + slope_y y; heights are compared from there.
 struct SlopedPlane {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "surface/cutting_edge_lines.hpp"
@@ -11,6 +12,9 @@
 #include "surface/tool_track.hpp"
 
 namespace softcnc::surface {
+
+/// A height where nothing is known.
+inline constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// Point (i, j) lies i steps along X and j along Y from the corner.
 struct StockGrid {

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string kProgram = "$programs/27_ball_bar.nc";
+const std::string kBallBarProgram = "$programs/27_ball_bar.nc";
 
 /// A machine file with an entry for its first axis.
 std::string machine(const Folder& folder, const std::string& name, const std::string& axis) {
@@ -24,7 +24,7 @@ std::string machine(const Folder& folder, const std::string& name, const std::st
 /// The circles of the program on a machine.
 json circles(const Folder& folder, const std::string& options) {
   const std::string trace = folder / "trace.csv.zst";
-  const Ended run = call("run -q " + kProgram + " --trace " + trace + " " + options);
+  const Ended run = call("run -q " + kBallBarProgram + " --trace " + trace + " " + options);
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const Ended ended = call("circle --format json " + trace);
@@ -84,7 +84,7 @@ TEST_CASE("a recording contains its plant", "[apps][circle]") {
   const std::string plain = machine(folder, "plain.toml", "");
   machine(folder, "worn.toml", "backlash_um = 100\n");
   const std::string recording = folder / "worn.rec";
-  CHECK(call("record -q " + kProgram + " --machine " + plain +
+  CHECK(call("record -q " + kBallBarProgram + " --machine " + plain +
              " --set backend.sim.plant=" + (folder / "worn.toml") + " -o " + recording)
             .status == 0);
   std::filesystem::remove(folder / "worn.toml");
@@ -110,7 +110,7 @@ TEST_CASE("the machine shows its plant", "[apps][circle]") {
 TEST_CASE("a trace has the positions sent where they are not those of the path", "[apps][circle]") {
   const Folder folder;
   const std::string worn = machine(folder, "worn.toml", "backlash_um = 100\n");
-  const Ended ended = call("run -q " + kProgram + " --trace - --machine " + worn);
+  const Ended ended = call("run -q " + kBallBarProgram + " --trace - --machine " + worn);
   REQUIRE(ended.status == 0);
   const Trace trace = parse_trace(ended.out);
   double least = 0, most = 0;
@@ -165,7 +165,7 @@ TEST_CASE("what has no circles is refused", "[apps][circle]") {
   const Ended none = call("circle " + trace);
   CHECK(none.status == 5);
   CHECK(shows(none.err, trace + ": error: no full circle in the plane XY [SC6084]"));
-  REQUIRE(call("run -q --dry-run " + kProgram + " --trace " + trace).status == 0);
+  REQUIRE(call("run -q --dry-run " + kBallBarProgram + " --trace " + trace).status == 0);
   CHECK(shows(call("circle " + trace).err,
               trace + ": error: the trace has no column 'x_act_mm' [SC6085]"));
   CHECK(call("circle " + trace + " --center 1").status == 2);

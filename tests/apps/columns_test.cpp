@@ -12,7 +12,7 @@ using namespace softcnc::app::test;
 
 namespace {
 
-constexpr double kRadius = 20, kFeed = 50, kPeriod = 0.004;  // mm, mm/s, s
+constexpr double kRadius = 20, kFeed = 50, kLongPeriod = 0.004;  // mm, mm/s, s
 
 /// A full circle at 4 ms, after a dwell, run by a method.
 struct Circle {
@@ -41,7 +41,7 @@ TEST_CASE("the columns of a circle are those of its closed forms", "[apps][colum
   const Circle circle("arc-length");
   const Trace& trace = circle.trace;
   const std::size_t middle = trace.rows.size() / 2;
-  const double chord = kRadius * (1 - std::cos(kFeed * kPeriod / (2 * kRadius)));
+  const double chord = kRadius * (1 - std::cos(kFeed * kLongPeriod / (2 * kRadius)));
   CHECK(trace.number(middle, "v_mm_s") == Approx(kFeed));
   CHECK(trace.number(middle, "chord_error_um") == Approx(1e3 * chord).epsilon(1e-6));
   CHECK(trace.number(middle, "curvature_1_mm") == Approx(1 / kRadius));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// softcnc compare: interpolation methods beside one another as text, CSV and JSON.
+// softcnc compare: interpolation methods side by side as text, CSV and JSON.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ using nlohmann::json;
 namespace {
 
 /// A full circle of radius 20 mm at 100 mm/s, approached along its tangent's normal.
-const std::string kCircle = "G21 G90 G00 X20\nG03 X20 Y0 I-20 J0 F6000\nM30\n";
+const std::string kFullCircle = "G21 G90 G00 X20\nG03 X20 Y0 I-20 J0 F6000\nM30\n";
 
 json compared(const std::string& arguments, const std::string& input = {}) {
   const Ended ended = call("compare -q --format json " + arguments, input);
@@ -54,7 +54,7 @@ ComparisonRow refused() {
 
 TEST_CASE("a comparison has a row for each method, in the order of their names",
           "[apps][compare]") {
-  const json document = compared("- --phases 2", kCircle);
+  const json document = compared("- --phases 2", kFullCircle);
   CHECK(document["schema"] == 1);
   std::vector<std::string> methods;
   for (const json& row : document["rows"]) {
@@ -71,7 +71,7 @@ TEST_CASE("a comparison has a row for each method, in the order of their names",
 }
 
 TEST_CASE("the chord error of a circle is its sagitta, wherever it begins", "[apps][compare]") {
-  const json row = compared("- --methods arc-length", kCircle)["rows"][0];
+  const json row = compared("- --methods arc-length", kFullCircle)["rows"][0];
   const double r = 20, step = 100 * 0.001;  // mm of arc
   const double sagitta_um = 1000 * r * (1 - std::cos(step / (2 * r)));
   CHECK(row["phases"] == 16);
@@ -142,7 +142,7 @@ TEST_CASE("on a line no chord fluctuates", "[apps][compare]") {
 
 TEST_CASE("the corner from a rapid to a cut is no fluctuation of chords", "[apps][compare]") {
   const double step = 100 * 0.001, r = 20;  // mm of chord
-  const json row = compared("- --methods chords --phases 8", kCircle)["rows"][0];
+  const json row = compared("- --methods chords --phases 8", kFullCircle)["rows"][0];
   const double half = std::asin(step / (2 * r));
   CHECK(row["feed_fluctuation_max_worst"].get<double>() ==
         Approx(half / std::sin(half) - 1).epsilon(0.01));
@@ -150,8 +150,8 @@ TEST_CASE("the corner from a rapid to a cut is no fluctuation of chords", "[apps
 
 TEST_CASE("with the backend none no mill is simulated", "[apps][compare]") {
   const std::string common = "- --phases 2 --methods taylor1";
-  json mill = compared(common, kCircle)["rows"][0];
-  const json none = compared(common + " --set control.backend=none", kCircle)["rows"][0];
+  json mill = compared(common, kFullCircle)["rows"][0];
+  const json none = compared(common + " --set control.backend=none", kFullCircle)["rows"][0];
   for (const char* key : {"contour_error_um_max_median", "contour_error_um_max_worst",
                           "contour_error_um_rms_median", "contour_error_um_rms_worst"}) {
     CHECK(none[key].is_null());
@@ -163,8 +163,8 @@ TEST_CASE("with the backend none no mill is simulated", "[apps][compare]") {
 
 TEST_CASE("CSV and JSON have the same keys and numbers", "[apps][compare]") {
   const std::string arguments = "- --phases 3 --methods taylor2,arc-length";
-  const json document = compared(arguments, kCircle);
-  const Ended ended = call("compare -q --format csv " + arguments, kCircle);
+  const json document = compared(arguments, kFullCircle);
+  const Ended ended = call("compare -q --format csv " + arguments, kFullCircle);
   std::istringstream lines(ended.out);
   std::string line;
   std::getline(lines, line);
@@ -229,7 +229,7 @@ TEST_CASE("a method that cannot run a program does not keep others from it", "[a
   const json document = compared(
       "- --phases 1 --methods dda,arc-length --set control.pulse_clock=paper "
       "--set axis.y.blu_um=5",
-      kCircle);
+      kFullCircle);
   CHECK(document["rows"][0]["note"].get<std::string>().ends_with("[SC7080]"));
   CHECK(document["rows"][0]["time_s_median"].is_null());
   CHECK(document["rows"][1]["note"].is_null());
@@ -238,7 +238,7 @@ TEST_CASE("a method that cannot run a program does not keep others from it", "[a
 
 TEST_CASE("a method that does not fit the machine has the reason as its note", "[apps][compare]") {
   const auto note = [](const std::string& settings, const std::string& method) {
-    const json document = compared("- --phases 1 --methods " + method + settings, kCircle);
+    const json document = compared("- --phases 1 --methods " + method + settings, kFullCircle);
     const json& reason = document["rows"][0]["note"];
     return reason.is_null() ? std::string() : reason.get<std::string>();
   };
@@ -249,7 +249,7 @@ TEST_CASE("a method that does not fit the machine has the reason as its note", "
 }
 
 TEST_CASE("acceleration after interpolation is the same motion in every phase", "[apps][compare]") {
-  const json rows = compared("- --phases 4 --methods acc-dec-linear,two-step", kCircle)["rows"];
+  const json rows = compared("- --phases 4 --methods acc-dec-linear,two-step", kFullCircle)["rows"];
   for (const json& row : rows) {
     CHECK(row["chord_error_um_max_worst"].is_null());  // it is off the path
     const double median = row["time_s_median"].get<double>();
@@ -263,7 +263,7 @@ TEST_CASE("acceleration after interpolation is the same motion in every phase", 
 }
 
 TEST_CASE("standard input is one program of a comparison", "[apps][compare]") {
-  CHECK(call("compare - -", kCircle).status == 2);
+  CHECK(call("compare - -", kFullCircle).status == 2);
 }
 
 TEST_CASE("each program is compared on each machine", "[apps][compare]") {
@@ -271,7 +271,7 @@ TEST_CASE("each program is compared on each machine", "[apps][compare]") {
   write(folder / "fast.toml",
         "name = \"fast\"\n[axis.x]\nacceleration_mm_s2 = 4000\n[axis.y]\nacceleration_mm_s2 = "
         "4000\n");
-  write(folder / "a.nc", kCircle);
+  write(folder / "a.nc", kFullCircle);
   write(folder / "b.nc", "G01 X10 F600\nM30\n");
   const json rows = compared((folder / "a.nc") + " " + (folder / "b.nc") +
                              " --phases 1 --methods arc-length --machine builtin --machine " +
@@ -287,7 +287,7 @@ TEST_CASE("each program is compared on each machine", "[apps][compare]") {
 
 TEST_CASE("of a wrong program the errors are shown, and nothing is compared", "[apps][compare]") {
   const Folder folder;
-  write(folder / "good.nc", kCircle);
+  write(folder / "good.nc", kFullCircle);
   write(folder / "bad.nc", "G01 X10 F600\nG02 X1\nM30\n");
   write(folder / "out.csv", "before");
   const Ended ended = call("compare --format csv " + (folder / "good.nc") + " " +
@@ -305,11 +305,11 @@ TEST_CASE("of a wrong program the errors are shown, and nothing is compared", "[
 TEST_CASE("a comparison can be written to a file", "[apps][compare]") {
   const Folder folder;
   const std::string arguments = "compare - --phases 1 --methods arc-length --format json";
-  const Ended ended = call(arguments + " -o " + (folder / "c.json"), kCircle);
+  const Ended ended = call(arguments + " -o " + (folder / "c.json"), kFullCircle);
   CHECK(ended.status == 0);
   CHECK(ended.out.empty());
   CHECK(ended.err == "comparison written to " + (folder / "c.json") + "\n");
-  CHECK(read(folder / "c.json") == call(arguments, kCircle).out);
+  CHECK(read(folder / "c.json") == call(arguments, kFullCircle).out);
 }
 
 TEST_CASE("unknown methods and impossible phases are wrong usage", "[apps][compare]") {

@@ -5,16 +5,19 @@
 #include <cmath>
 
 #include "apps/shell.hpp"
+#include "support/period.hpp"
 
 using namespace softcnc::app::test;
 
 namespace {
 
+using softcnc::test::kPeriod;
+
 const std::string kScrews =
     " --set axis.x.backlash_um=80 --set axis.y.backlash_um=35"
     " --set 'axis.y.pitch_table=[[-20,5],[0,0],[30,12]]' ";
 
-std::string run(const std::string& arguments) {
+std::string run_output(const std::string& arguments) {
   const Ended ended = call("run -q " + arguments);
   CAPTURE(ended.err);
   CHECK(ended.status == 0);
@@ -28,8 +31,8 @@ TEST_CASE("pulses of a compensated machine keep the timing of its drivers",
   const Folder folder;
   const std::string edges = folder / "steps.vcd", trace = folder / "trace.vcd",
                     mill = " --machine $programs/machines/bench_mill.toml ";
-  run("$programs/03_arc.nc --backend stepdir" + mill + kScrews +
-      "--set backend.stepdir.file=" + edges + " --trace " + trace);
+  run_output("$programs/03_arc.nc --backend stepdir" + mill + kScrews +
+             "--set backend.stepdir.file=" + edges + " --trace " + trace);
   CHECK(read(edges) == read(trace));
   const Ended judged = call("pulses " + edges + mill);
   CHECK(judged.status == 0);
@@ -39,8 +42,8 @@ TEST_CASE("pulses of a compensated machine keep the timing of its drivers",
 TEST_CASE("rows for HAL are compensated in the stream and in the trace", "[apps][compensation]") {
   const Folder folder;
   const std::string rows = folder / "rows.txt", trace = folder / "trace.hal";
-  run("$programs/03_arc.nc --backend hal-stream" + kScrews +
-      "--set backend.hal-stream.file=" + rows + " --trace " + trace);
+  run_output("$programs/03_arc.nc --backend hal-stream" + kScrews +
+             "--set backend.hal-stream.file=" + rows + " --trace " + trace);
   CHECK(read(rows) == read(trace));
   // The backlash is out again at the end; (0, 0) is off by no pitch.
   CHECK(shows(read(rows), "\n0 0 0 0 "));
@@ -52,8 +55,8 @@ TEST_CASE("compensated commands keep the velocity while a run is held", "[apps][
                                   "1.8:override=100");
   const std::string part = GENERATE("08_butterfly", "19_rounded_corners");
   const Trace trace =
-      parse_trace(run("$programs/" + part + ".nc" + kScrews + "--trace - --at " + at));
-  constexpr double kPeriod = 1e-3, kVelocity = 250, kAcceleration = 1000;
+      parse_trace(run_output("$programs/" + part + ".nc" + kScrews + "--trace - --at " + at));
+  constexpr double kVelocity = 250, kAcceleration = 1000;
   double last = trace.number(0, "x_cmd_mm"), speed = 0, least = 0;
   for (std::size_t row = 1; row < trace.rows.size(); ++row) {
     const double here = trace.number(row, "x_cmd_mm"), now = (here - last) / kPeriod;

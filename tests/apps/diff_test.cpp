@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// softcnc diff: programs, traces and recordings beside one another.
+// softcnc diff: programs, traces and recordings side by side.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -18,7 +18,7 @@ using softcnc::runtime::Aspect;
 
 namespace {
 
-std::vector<std::string> programs() {
+std::vector<std::string> example_programs() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(SOFTCNC_SOURCE_DIR "/programs"))
     if (entry.path().extension() == ".nc") names.push_back(entry.path());
@@ -59,8 +59,8 @@ softcnc::runtime::Margin margin(const Tolerance& tolerance, Aspect aspect) {
 }  // namespace
 
 TEST_CASE("no program differs from itself", "[apps][diff]") {
-  REQUIRE(programs().size() > 20);
-  for (const std::string& program : programs()) {
+  REQUIRE(example_programs().size() > 20);
+  for (const std::string& program : example_programs()) {
     CAPTURE(program);
     const Ended ended = call("diff -q " + program + " " + program);
     CHECK(ended.status == 0);

@@ -13,14 +13,14 @@ using namespace softcnc::app::test;
 
 namespace {
 
-constexpr const char* kPart = "G01 X200 F6000\nM30\n";
+constexpr const char* kLongLine = "G01 X200 F6000\nM30\n";
 constexpr const char* kEvents = " --at 3:resume --at 0.5:override=57 --at 2:hold";
 
 }  // namespace
 
 TEST_CASE("override, hold and resume take effect at their moments", "[apps][replan]") {
   const std::string jerk = GENERATE("", " --set axis.x.jerk_mm_s3=50000");
-  const Ended ended = call("run -q --dry-run" + jerk + kEvents + " -", kPart);
+  const Ended ended = call("run -q --dry-run" + jerk + kEvents + " -", kLongLine);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
   const Trace trace = parse_trace(ended.out);
@@ -57,7 +57,7 @@ TEST_CASE("no override changes the pitch of a tap, before a hold or after it", "
 
 TEST_CASE("a recording keeps the events, and a replay answers them", "[apps][recording][replan]") {
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kLongLine);
   const std::string file = folder / "p.rec";
   const Ended recorded = call("record " + (folder / "p.nc") + " -o " + file + kEvents +
                               " --report " + (folder / "r.json"));
@@ -72,7 +72,7 @@ TEST_CASE("a recording keeps the events, and a replay answers them", "[apps][rec
 }
 
 TEST_CASE("a moment after the end is reported", "[apps][replan]") {
-  const Ended ended = call("run --dry-run --trace /dev/null --at 60:override=50 -", kPart);
+  const Ended ended = call("run --dry-run --trace /dev/null --at 60:override=50 -", kLongLine);
   CHECK(ended.status == 0);
   CHECK(ended.err.find("--at 60:override=50 was not reached: the program ended first\n") !=
         std::string::npos);

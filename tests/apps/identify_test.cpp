@@ -16,12 +16,12 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kProgram = SOFTCNC_SOURCE_DIR "/programs/26_identify.nc";
+constexpr const char* kIdentifyProgram = SOFTCNC_SOURCE_DIR "/programs/26_identify.nc";
 
 /// A trace of programs/26_identify.nc on the built-in mill with some values changed.
-void run(const Folder& at, const std::string& settings, const std::string& trace) {
-  const Ended ended = call("run -q --machine builtin " + std::string(kProgram) + " " + settings +
-                           " --trace " + (at / trace));
+void run_on_mill(const Folder& at, const std::string& settings, const std::string& trace) {
+  const Ended ended = call("run -q --machine builtin " + std::string(kIdentifyProgram) + " " +
+                           settings + " --trace " + (at / trace));
   CAPTURE(ended.err);
   REQUIRE(ended.status == 0);
 }
@@ -46,10 +46,10 @@ void check_figure(const json& axis, const char* name, double truth, double part)
 
 TEST_CASE("drives are identified from the trace of a run", "[apps][identify]") {
   const Folder at;
-  run(at,
-      "--set axis.x.drive.kv_1_s=29.1 --set axis.y.motor.inertia_kg_m2=7.3e-4 "
-      "--set axis.z.motor.coulomb_friction_nm=0.25 --set axis.z.drive.kv_1_s=31",
-      "t.npz");
+  run_on_mill(at,
+              "--set axis.x.drive.kv_1_s=29.1 --set axis.y.motor.inertia_kg_m2=7.3e-4 "
+              "--set axis.z.motor.coulomb_friction_nm=0.25 --set axis.z.drive.kv_1_s=31",
+              "t.npz");
   const json axes = identified((at / "t.npz") + " --machine builtin -o " + (at / "m.toml"))["axes"];
   check_figure(axes["x"], "kv_1_s", 29.1, 0.003);
   check_figure(axes["y"], "kv_1_s", 30, 0.003);
@@ -76,7 +76,7 @@ TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][
         "[axis.x]\nbacklash_um = 60\ndrive.kv_1_s = 28.8\n[axis.y]\nmotor.inertia_kg_m2 = 5e-4\n"
         "[axis.z]\nmotor.coulomb_friction_nm = 0.1\n");
   const std::string plant = "--set backend.sim.plant=" + (at / "plant.toml");
-  run(at, plant, "t.npz");
+  run_on_mill(at, plant, "t.npz");
   const json axes = identified((at / "t.npz") + " --machine builtin -o " + (at / "m.toml"))["axes"];
   check_figure(axes["x"], "kv_1_s", 28.8, 0.003);
   CHECK(double(axes["x"]["backlash_um"]["value"]) == Approx(60).margin(2.5));
@@ -96,7 +96,7 @@ TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][
 
 TEST_CASE("a trace that is late has the same gain, and a delay", "[apps][identify]") {
   const Folder at;
-  run(at, "", "t.csv");
+  run_on_mill(at, "", "t.csv");
   std::istringstream rows(read(at / "t.csv"));
   std::string late, row, before;
   std::ptrdiff_t place = -1;  // of the column
@@ -128,7 +128,7 @@ TEST_CASE("a trace that is late has the same gain, and a delay", "[apps][identif
 
 TEST_CASE("a drive that reads its counter less often is found", "[apps][identify]") {
   const Folder at;
-  run(at, "--set control.servo_period_ms=1", "t.npz");
+  run_on_mill(at, "--set control.servo_period_ms=1", "t.npz");
   const json axis = identified((at / "t.npz") + " --machine builtin")["axes"]["x"];
   check_figure(axis, "kv_1_s", 30, 0.001);
   CHECK(axis["loop_period_ms"] == 1);

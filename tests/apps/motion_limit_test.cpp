@@ -12,7 +12,7 @@ using namespace softcnc::app::test;
 
 namespace {
 
-Ended check(const std::string& text, const std::string& hours, const Folder& folder) {
+Ended check_within(const std::string& text, const std::string& hours, const Folder& folder) {
   write(folder / "p.nc", text);
   return shell("cd " + (folder / "") + "; $softcnc check --set program.motion_limit_h=" + hours +
                " p.nc");
@@ -40,7 +40,7 @@ TEST_CASE("the least time of a block is that at its feed", "[apps][limit]") {
 
 TEST_CASE("a move of years is refused at once, at its line", "[apps][limit]") {
   const Folder folder;
-  const Ended ended = check("G21 G90\nG01 X100 F0.000001\nX2000\nM30\n", "10000", folder);
+  const Ended ended = check_within("G21 G90\nG01 X100 F0.000001\nX2000\nM30\n", "10000", folder);
   CHECK(ended.status == 3);
   CHECK(shows(ended.out,
               "p.nc:2:1: error: the program moves for more than 10000 h: 1.66667e+06 h up to the "
@@ -52,22 +52,23 @@ TEST_CASE("a move of years is refused at once, at its line", "[apps][limit]") {
 TEST_CASE("the line that passes the longest motion is refused", "[apps][limit]") {
   const Folder folder;
   const std::string lines = "G21 G90 F600\nG01 X10\nX20\nX30\nX40\nX50\nM30\n";  // 1 s each
-  CHECK(check(lines, "0.001", folder)
+  CHECK(check_within(lines, "0.001", folder)
             .out.find("p.nc:5:1: error: the program moves for more than "
                       "0.001 h: ") == 0);
-  CHECK(check(lines, "0.0015", folder).status == 0);
-  CHECK(check(lines, "0", folder).status == 0);
-  CHECK(check("G04 P3\nG04 P2\nM30\n", "0.001", folder).out.find("p.nc:2:1: error: ") == 0);
+  CHECK(check_within(lines, "0.0015", folder).status == 0);
+  CHECK(check_within(lines, "0", folder).status == 0);
+  CHECK(check_within("G04 P3\nG04 P2\nM30\n", "0.001", folder).out.find("p.nc:2:1: error: ") == 0);
   const std::string far = "G04 P30000000\nG04 P30000000\nM30\n";
-  CHECK(shows(check(far, "10000", folder).out, "p.nc:2:1: error: the program moves ... [SC4050]"));
-  CHECK(check(far, "0", folder).status == 0);
+  CHECK(shows(check_within(far, "10000", folder).out,
+              "p.nc:2:1: error: the program moves ... [SC4050]"));
+  CHECK(check_within(far, "0", folder).status == 0);
 }
 
 TEST_CASE("corners and ramps count for the longest motion", "[apps][limit]") {
   const Folder folder;
   std::string text = "G21 G90 G61.1 F6000\n";
   for (int i = 1; i <= 100; ++i) text += "G01 X" + std::to_string(0.1 * i) + "\n";  // 20 ms each
-  const Ended ended = check(text + "M30\n", "0.0003", folder);
+  const Ended ended = check_within(text + "M30\n", "0.0003", folder);
   CHECK(ended.status == 3);
   CHECK(ended.out.find("p.nc:5") == 0);  // 1.08 s
 }

@@ -15,6 +15,7 @@
 #include "pictures/path_plot.hpp"
 #include "pictures/picture.hpp"
 #include "pictures/time_panel.hpp"
+#include "support/period.hpp"
 #include "support/property.hpp"
 
 using namespace softcnc;
@@ -26,8 +27,6 @@ using runtime::RunHistory;
 using runtime::RunRow;
 
 namespace {
-
-constexpr double kPeriod = 0.001;
 
 /// A run that is made by hand, one straight move after another at uniform speed.
 class HandMade {

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kPart =
+constexpr const char* kPulsedPart =
     "G21 G90 G17 F3000\n"
     "G01 X12.5 Y7.0125\n"
     "G03 X2.5 Y17.0125 I-10 J0\n"
@@ -31,7 +31,7 @@ TEST_CASE("every method by pulses reaches the drives pulse by pulse", "[apps][pu
   const std::string clock = GENERATE("profile", "paper");
   const std::string constant = GENERATE("on", "off");
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kPulsedPart);
   const Ended ended =
       call("run " + (folder / "p.nc") + " --set control.interpolation=" + method +
            " --set control.pulse_clock=" + clock + " --set control.constant_feed=" + constant +
@@ -59,7 +59,7 @@ TEST_CASE("every method by pulses reaches the drives pulse by pulse", "[apps][pu
 TEST_CASE("preview, mill and replay make the same pulses", "[apps][pulse]") {
   const std::string method = GENERATE("sam", "m-dsm", "dda");
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kPulsedPart);
   const std::string options = (folder / "p.nc") + " --set control.interpolation=" + method;
   const Trace preview = parse_trace(call("run --dry-run " + options).out);
   REQUIRE(call("record " + options + " -o " + (folder / "p.rec")).status == 0);
@@ -91,7 +91,7 @@ TEST_CASE("a move that the paper's clock cannot make is reported with its place"
 TEST_CASE("a lost pulse stops the run with 4, whoever makes the pulses", "[apps][pulse]") {
   const std::string method = GENERATE("arc-length", "m-dsm");
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kPulsedPart);
   const std::string run = "run " + (folder / "p.nc") + " --set control.interpolation=" + method +
                           " --report " + (folder / "r.json") + " --set axis.y.drive.lost_pulse=";
   CHECK(call(run + "100000").status == 0);
@@ -107,7 +107,7 @@ TEST_CASE("a lost pulse stops the run with 4, whoever makes the pulses", "[apps]
 
 TEST_CASE("pulses too fast for one step of the counter overflow it", "[apps][pulse]") {
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kPulsedPart);
   const Ended ended = call("run " + (folder / "p.nc") +
                            " --set control.interpolation=dsm --set axis.x.drive.counter_bits=8"
                            " --set axis.x.drive.following_error_um=50000");

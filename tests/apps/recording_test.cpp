@@ -1,51 +1,26 @@
 // SPDX-License-Identifier: MIT
 // record and replay: the same run again, and the first row where it is not.
-#include <zstd.h>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "apps/recording_entries.hpp"
 #include "apps/shell.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/files/zip_file.hpp"
 #include "recording/recording_meta.hpp"
 #include "support/shown.hpp"
+#include "support/zstd.hpp"
 
 using namespace softcnc::app::test;
 using nlohmann::json;
 using softcnc::hal::Compression;
-using softcnc::hal::ZipReader;
 using softcnc::hal::ZipWriter;
 
 namespace {
 
-std::string entry(const std::string& file, const std::string& name) {
-  auto zip = ZipReader::open(file);
-  REQUIRE(zip);
-  auto found = zip->entry(name);
-  REQUIRE(found);
-  std::string text;
-  REQUIRE(for_each_piece(std::move(*found), [&](std::string_view piece) -> softcnc::Status {
-    text += piece;
-    return {};
-  }));
-  return text;
-}
-
-std::string unpacked(const std::string& packed) {
-  std::string text(std::size_t{1} << 24U, '\0');
-  const std::size_t n = ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size());
-  REQUIRE(!ZSTD_isError(n));
-  text.resize(n);
-  return text;
-}
-
-std::string packed(const std::string& text) {
-  std::string bytes(ZSTD_compressBound(text.size()), '\0');
-  bytes.resize(ZSTD_compress(bytes.data(), bytes.size(), text.data(), text.size(), 3));
-  return bytes;
-}
+using softcnc::test::packed;
+using softcnc::test::unpacked;
 
 struct Content {
   std::string meta, program, machine, state, trace;

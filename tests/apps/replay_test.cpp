@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // replay of many recordings: folders, shards, results for programs, and --bless.
-#include <zstd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "apps/recording_entries.hpp"
 #include "apps/shell.hpp"
 #include "hal/files/zip_file.hpp"
 #include "replay/recording_list.hpp"
 #include "replay/replay_report.hpp"
 #include "support/shown.hpp"
+#include "support/zstd.hpp"
 
 using namespace softcnc::app;
 using namespace softcnc::app::test;
@@ -34,30 +34,16 @@ void record(const std::string& file, const std::string& program, const std::stri
   fs::remove(part);
 }
 
-std::string entry(const ZipReader& zip, const std::string& name) {
-  auto found = zip.entry(name);
-  REQUIRE(found);
-  std::string text;
-  REQUIRE(for_each_piece(std::move(*found), [&](std::string_view piece) -> softcnc::Status {
-    text += piece;
-    return {};
-  }));
-  return text;
-}
-
 /// Changes x_mm of a row of the trace in a recording.
 void change_trace(const std::string& file, std::size_t row) {
   const auto zip = ZipReader::open(file);
   REQUIRE(zip);
-  const std::string packed = entry(*zip, "trace.csv.zst");
-  std::string text(std::size_t{1} << 24U, '\0');
-  text.resize(ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size()));
+  std::string text = softcnc::test::unpacked(entry(*zip, "trace.csv.zst"));
   std::size_t at = 0;
   for (std::size_t i = 0; i < 4 + row; ++i) at = text.find('\n', at) + 1;
   for (int column = 0; column < 7; ++column) at = text.find(',', at) + 1;
   text.insert(at, "7");
-  std::string again(ZSTD_compressBound(text.size()), '\0');
-  again.resize(ZSTD_compress(again.data(), again.size(), text.data(), text.size(), 3));
+  const std::string again = softcnc::test::packed(text);
   ZipWriter writer(file + ".new");
   for (const std::string& name : zip->names())
     writer.add_text(name, name == "trace.csv.zst" ? again : entry(*zip, name));

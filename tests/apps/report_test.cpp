@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "shell.hpp"
+#include "apps/shell.hpp"
 
 namespace softcnc::app::test {
 namespace {
 
-using json = nlohmann::json;
 using Catch::Matchers::WithinAbs;
+using nlohmann::json;
 
 std::string unbase64(const std::string& text) {
   std::array<int, 256> digits{};

@@ -54,7 +54,7 @@ bool warns_of_phase(const std::string& program, const std::string& text,
   return ended.status == 0 && shows(ended.out, text);
 }
 
-json report_of(const std::string& program, const std::string& options) {
+json report_of_program(const std::string& program, const std::string& options) {
   const Folder folder;
   const std::string file = folder / "report.json";
   const Ended ended =
@@ -179,13 +179,13 @@ TEST_CASE("the report says how near the roughness comes to its target, and what 
           "[apps][roughness]") {
   for (const char* model : {"--set surface.model=paper", "--set surface.model=guaranteed"}) {
     CAPTURE(model);
-    const json report = report_of(cylinder(kWords), model);
+    const json report = report_of_program(cylinder(kWords), model);
     CHECK(report["rmax_um_max"].get<double>() <= 10.67 * (1 + 1e-6));
     CHECK(report["rmax_um_max"].get<double>() > 10.67 * 0.98);
     CHECK(report["rmax_target_um"] == 10.67);
     CHECK(report["time_by_limit_s"]["roughness"].get<double>() > 0.03);
   }
-  const json plain = report_of(cylinder(""), "");
+  const json plain = report_of_program(cylinder(""), "");
   CHECK_FALSE(plain.contains("rmax_um_max"));
   CHECK_FALSE(plain["time_by_limit_s"].contains("roughness"));
 }

@@ -11,8 +11,8 @@
 
 using namespace softcnc;
 using namespace softcnc::app;
-using test::Folder;
-using test::write;
+using app::test::Folder;
+using app::test::write;
 
 namespace {
 
@@ -80,12 +80,12 @@ TEST_CASE("rows that are passed over change nothing that is measured at limits",
 }
 
 TEST_CASE("check of 190 years at the smallest feed has an answer", "[apps][skim]") {
-  const test::Ended ended =
-      test::call("check --set program.motion_limit_h=0 -", "G21 G90\nG01 X100 F0.000001\nM30\n");
+  const app::test::Ended ended = app::test::call("check --set program.motion_limit_h=0 -",
+                                                 "G21 G90\nG01 X100 F0.000001\nM30\n");
   CHECK(ended.status == 0);
   CHECK(ended.out.empty());
 }
 
 TEST_CASE("check of a dwell of a year has an answer", "[apps][skim]") {
-  CHECK(test::call("check -", "G04 P30000000\nM30\n").status == 0);
+  CHECK(app::test::call("check -", "G04 P30000000\nM30\n").status == 0);
 }

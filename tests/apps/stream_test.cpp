@@ -20,7 +20,7 @@ using namespace softcnc::app::test;
 namespace {
 
 /// Where a corner is to be rounded the line before it waits for the one after it.
-const std::string kExactly = "control.corner_tolerance_um=0";
+const std::string kNoRounding = "control.corner_tolerance_um=0";
 
 /// Writes the first line of a program at once, and the next one whenever the run looks up, or waits
 /// for one.
@@ -56,8 +56,8 @@ struct Positions final : runtime::RowSink {
   }
 };
 
-Positions rows_of(ipr::Reader& reader, int input, runtime::Watcher* watcher,
-                  const runtime::ChannelOptions& options = {}) {
+Positions rows_of_stream(ipr::Reader& reader, int input, runtime::Watcher* watcher,
+                         const runtime::ChannelOptions& options = {}) {
   Machine machine;
   machine.control.backend = BackendKind::none;
   const auto backend = hal::open_backend(machine);
@@ -104,7 +104,7 @@ TEST_CASE("blocks shows each command of a command file before the next is writte
 
 TEST_CASE("a dry run of a command file shows the rows of its first line before the second",
           "[apps][stream]") {
-  Talk talk({"run", "-q", "--dry-run", "--set", kExactly, "-"});
+  Talk talk({"run", "-q", "--dry-run", "--set", kNoRounding, "-"});
   talk.say("f 600\nl 10 0\n");
   talk.hear("0.9,2,1,");
   talk.say("l 0 10\n");
@@ -114,7 +114,7 @@ TEST_CASE("a dry run of a command file shows the rows of its first line before t
 }
 
 TEST_CASE("a dry run shows rows as soon as no later line can change them", "[apps][stream]") {
-  Talk talk({"run", "-q", "--dry-run", "--set", kExactly, "-"});
+  Talk talk({"run", "-q", "--dry-run", "--set", kNoRounding, "-"});
   talk.say("G04 P0.01\n");
   const auto head = talk.hear("0.005,1,1,");
   CHECK(head[3] == "# program: -");
@@ -132,7 +132,7 @@ TEST_CASE("a dry run shows rows as soon as no later line can change them", "[app
 TEST_CASE("a dry run shows the rows of the first line before the second is written",
           "[apps][stream]") {
   const std::string jerk = GENERATE("0.0", "50000.0");
-  Talk talk({"run", "-q", "--dry-run", "--set", kExactly, "--set", "axis.x.jerk_mm_s3=" + jerk,
+  Talk talk({"run", "-q", "--dry-run", "--set", kNoRounding, "--set", "axis.x.jerk_mm_s3=" + jerk,
              "--set", "axis.y.jerk_mm_s3=" + jerk, "-"});
   talk.say("G01 X10 F600\n");
   const auto first = talk.hear("0.9,1,1,");
@@ -189,7 +189,7 @@ TEST_CASE("check reports the same of a pipe as of a file", "[apps][stream]") {
 
 TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]") {
   const std::string said = GENERATE("", "G04 P0.01\n", "G01 X10 F600\n");
-  Talk talk({"run", "-q", "--dry-run", "--set", kExactly, "-"});
+  Talk talk({"run", "-q", "--dry-run", "--set", kNoRounding, "-"});
   talk.say(said);
   talk.hear("# machine: ");
   talk.send(SIGINT);
@@ -221,13 +221,13 @@ TEST_CASE("lines that come while rows are written are not the end of the program
   std::string text;
   for (const std::string& line : lines) text += line;
   ipr::Reader whole = ipr::Reader::from_text(text);
-  const Positions expected = rows_of(whole, -1, nullptr);
+  const Positions expected = rows_of_stream(whole, -1, nullptr);
 
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   LineWriter writer(ends[1], lines);
   ipr::Reader reader(ends[0]);
-  const Positions rows = rows_of(reader, ends[0], &writer);
+  const Positions rows = rows_of_stream(reader, ends[0], &writer);
   ::close(ends[0]);
   CHECK(expected.all.size() > 1000);
   CHECK(rows.all == expected.all);
@@ -245,13 +245,13 @@ TEST_CASE("an override or a hold falls on the same way, however slowly the lines
   std::string text;
   for (const std::string& line : lines) text += line;
   ipr::Reader whole = ipr::Reader::from_text(text);
-  const Positions expected = rows_of(whole, -1, nullptr, options);
+  const Positions expected = rows_of_stream(whole, -1, nullptr, options);
 
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   LineWriter writer(ends[1], lines);
   ipr::Reader reader(ends[0]);
-  const Positions rows = rows_of(reader, ends[0], &writer, options);
+  const Positions rows = rows_of_stream(reader, ends[0], &writer, options);
   ::close(ends[0]);
   CHECK(expected.all.size() > 4000);
   CHECK(rows.all == expected.all);

@@ -20,7 +20,7 @@ void put_program(const Folder& folder) {
   write(folder / "lib/hole.ngc", "o<hole> sub\nG1 X#1\no<hole> endsub\n");
 }
 
-std::string in(const Folder& folder) { return "cd " + folder / "" + "; "; }
+std::string go_to(const Folder& folder) { return "cd " + folder / "" + "; "; }
 
 }  // namespace
 
@@ -28,24 +28,24 @@ TEST_CASE("every command finds subprograms in other folders", "[apps][subprogram
   const Folder folder;
   put_program(folder);
   const std::string how = " p.ngc --subprograms lib --define _td=3";
-  const Ended blocks = shell(in(folder) + "$softcnc blocks" + how);
+  const Ended blocks = shell(go_to(folder) + "$softcnc blocks" + how);
   CHECK(blocks.status == 0);
   CHECK(shows(blocks.out, "{\"line\":2,\"file\":\"lib/hole.ngc\",...\"to\":[3,0,0]"));
   for (const char* command : {"check", "run -q", "run -q --dry-run", "report -q -o p.html",
                               "record -q -o p.rec", "surface -q --set stock.grid_um=1000 -o p.npz",
                               "compare -q --phases 1 --methods taylor1"}) {
     CAPTURE(command);
-    const Ended ended = shell(in(folder) + "$softcnc " + command + how);
+    const Ended ended = shell(go_to(folder) + "$softcnc " + command + how);
     CAPTURE(ended.out, ended.err);
     CHECK(!shows(ended.out + ended.err, "[SC2301]"));
     CHECK(!shows(ended.out + ended.err, "[SC1024]"));
     if (!std::string(command).starts_with("surface")) CHECK(ended.status == 0);
   }
-  CHECK(shell(in(folder) + "$softcnc diff" + how + " p.ngc").status == 0);
+  CHECK(shell(go_to(folder) + "$softcnc diff" + how + " p.ngc").status == 0);
   CHECK(shows(read(folder / "p.html"), "\"name\":\"lib/hole.ngc\""));
-  REQUIRE(shell(in(folder) + "$softcnc run -q --report r.json" + how).status == 0);
+  REQUIRE(shell(go_to(folder) + "$softcnc run -q --report r.json" + how).status == 0);
   CHECK(json::parse(read(folder / "r.json"))["called_files"] == json::array({"lib/hole.ngc"}));
-  CHECK(shows(shell(in(folder) + "$softcnc check p.ngc --define _td=3").out,
+  CHECK(shows(shell(go_to(folder) + "$softcnc check p.ngc --define _td=3").out,
               "p.ngc:2:1: error: no subprogram o<hole> in this program or beside it [SC2301]"));
 }
 
@@ -54,14 +54,15 @@ TEST_CASE("the machine names folders of subprograms", "[apps][subprograms]") {
   put_program(folder);
   std::filesystem::create_directory(folder / "mills");
   write(folder / "mills/m.toml", "[program]\npath = [\"../lib\"]\n");
-  CHECK(shell(in(folder) + "$softcnc check p.ngc --define _td=3 --machine mills/m.toml").status ==
-        0);
-  CHECK(shell(in(folder) + "$softcnc check p.ngc --define _td=3 --set 'program.path=[\"lib\"]'")
+  CHECK(
+      shell(go_to(folder) + "$softcnc check p.ngc --define _td=3 --machine mills/m.toml").status ==
+      0);
+  CHECK(shell(go_to(folder) + "$softcnc check p.ngc --define _td=3 --set 'program.path=[\"lib\"]'")
             .status == 0);
   write(folder / "p.toml", "[program]\npath = [\"lib\"]\n");
-  CHECK(shell(in(folder) + "$softcnc check p.ngc --define _td=3").status == 0);
+  CHECK(shell(go_to(folder) + "$softcnc check p.ngc --define _td=3").status == 0);
   write(folder / "p.toml", "[program]\npath = [\"" + folder / "" + "../\", \"lib\"]\n");
-  const Ended found = shell(in(folder) + "$softcnc check p.ngc --define _td=3");
+  const Ended found = shell(go_to(folder) + "$softcnc check p.ngc --define _td=3");
   CHECK(found.status == 0);
   CHECK(shows(found.out, "p.toml:2:8: warning: program.path: ... [SC7021]"));
 }
@@ -70,19 +71,20 @@ TEST_CASE("a recording contains the files of other folders", "[apps][subprograms
   const Folder folder;
   put_program(folder);
   std::filesystem::create_directory(folder / "empty");
-  REQUIRE(shell(in(folder) + "$softcnc record -q p.ngc --subprograms empty --subprograms lib "
-                             "--define _td=3 --define 100=2.5 -o p.rec")
+  REQUIRE(shell(go_to(folder) + "$softcnc record -q p.ngc --subprograms empty --subprograms lib "
+                                "--define _td=3 --define 100=2.5 -o p.rec")
               .status == 0);
-  const json meta = json::parse(shell(in(folder) + "unzip -p p.rec meta.json").out);
+  const json meta = json::parse(shell(go_to(folder) + "unzip -p p.rec meta.json").out);
   REQUIRE(meta["called"].size() == 1);
   CHECK(meta["called"][0]["name"] == "2/hole.ngc");
   CHECK(meta["options"]["define"] == json::array({"_td=3", "100=2.5"}));
   std::filesystem::remove_all(folder / "lib");
   std::filesystem::remove(folder / "p.ngc");
-  const Ended replayed = shell(in(folder) + "$softcnc replay p.rec");
+  const Ended replayed = shell(go_to(folder) + "$softcnc replay p.rec");
   CAPTURE(replayed.err);
   CHECK(replayed.status == 0);
-  CHECK(shell(in(folder) + "$softcnc replay --bless p.rec; $softcnc replay -q p.rec").status == 0);
+  CHECK(shell(go_to(folder) + "$softcnc replay --bless p.rec; $softcnc replay -q p.rec").status ==
+        0);
 }
 
 TEST_CASE("files of other folders are watched, also where they are not yet",
@@ -107,14 +109,14 @@ TEST_CASE("wrong folders and definitions are wrong usage", "[apps][subprograms]"
   const Folder folder;
   put_program(folder);
   const auto refused = [&](const std::string& options) {
-    const Ended ended = shell(in(folder) + "$softcnc check p.ngc " + options);
+    const Ended ended = shell(go_to(folder) + "$softcnc check p.ngc " + options);
     CHECK(ended.status == 2);
     return ended.err;
   };
   CHECK(shows(refused("--subprograms gone"), "--subprograms: ...gone"));
   CHECK(shows(refused("--define td=3"), "--define: takes NAME=VALUE, ... not 'td=3'"));
   CHECK(shows(refused("--define _td"), "not '_td'"));
-  const Ended of_system = shell(in(folder) +
+  const Ended of_system = shell(go_to(folder) +
                                 "$softcnc check p.ngc --subprograms lib --define _x=3 "
                                 "--define _td=1");
   CHECK(of_system.status == 1);
@@ -126,10 +128,11 @@ TEST_CASE("named globals of the state are read, and written back", "[apps][subpr
   put_program(folder);
   write(folder / "p.ngc", "G21\nG0 X#<_td>\n#<_td>=[#<_td> + 1]\n#<_other>=1\nM2\n");
   write(folder / "s.toml", "schema = 1\n[parameter]\n_td = 3\n");
-  CHECK(shell(in(folder) + "$softcnc check p.ngc --state s.toml").status == 0);
+  CHECK(shell(go_to(folder) + "$softcnc check p.ngc --state s.toml").status == 0);
   CHECK(read(folder / "s.toml") == "schema = 1\n[parameter]\n_td = 3\n");
-  REQUIRE(shell(in(folder) + "$softcnc run -q p.ngc --state s.toml").status == 0);
+  REQUIRE(shell(go_to(folder) + "$softcnc run -q p.ngc --state s.toml").status == 0);
   CHECK(read(folder / "s.toml").ends_with("\n[parameter]\n_td = 4\n"));
-  REQUIRE(shell(in(folder) + "$softcnc run -q p.ngc --state s.toml --define _td=10").status == 0);
+  REQUIRE(shell(go_to(folder) + "$softcnc run -q p.ngc --state s.toml --define _td=10").status ==
+          0);
   CHECK(read(folder / "s.toml").ends_with("\n[parameter]\n_td = 11\n"));
 }

@@ -14,11 +14,11 @@
 using namespace softcnc;
 using namespace softcnc::app;
 using namespace softcnc::app::test;
-using json = nlohmann::json;
+using nlohmann::json;
 
 namespace {
 
-std::string programs(const std::string& name) {
+std::string program_file(const std::string& name) {
   return std::string(SOFTCNC_SOURCE_DIR) + "/programs/" + name;
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("the surfaces of paper 004 are as rough as it says", "[apps][surface][
   const std::string tip = "numpy.nanmax(f['rmax_um'][:, 49:51])";  // at X0
   for (const std::string& name : {cylinder, hill}) {
     CAPTURE(name);
-    const std::string text = read(programs(name + ".nc"));
+    const std::string text = read(program_file(name + ".nc"));
     cut_program(name, "", text);
     CHECK(number(file, known) > 200);
     CHECK(number(file, most) <= 10.67 + 2);
@@ -250,7 +250,7 @@ TEST_CASE("the surfaces of paper 004 are as rough as it says", "[apps][surface][
     CHECK(number(file, most) > 10);
     CHECK(number(file, "(f['met'] == 0).sum()") == 0);
   }
-  std::string fixed = read(programs(cylinder + ".nc"));
+  std::string fixed = read(program_file(cylinder + ".nc"));
   fixed.replace(fixed.find("H10.67 L2\n"), 9, "H100 L2");
   cut_program(cylinder, "", fixed);
   CHECK(number(file, tip) > 2 * 10.67);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The formats of a trace from outside: each against another way to the same figures.
-#include <zstd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
@@ -12,13 +10,16 @@
 #include "hal/signals/edge_reader.hpp"
 #include "hal/signals/pulse_rules.hpp"
 #include "support/shown.hpp"
+#include "support/zstd.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app::test;
 
 namespace {
 
-constexpr const char* kPart =
+using softcnc::test::unpacked;
+
+constexpr const char* kTracedPart =
     "G21 G90 G17 F3000\n"
     "G01 X12.5 Y7.0125\n"
     "M00\n"
@@ -28,17 +29,9 @@ constexpr const char* kPart =
     "G00 X-1.0024 Y0 Z0\n"
     "M30\n";
 
-std::string unpacked(const std::string& packed) {
-  std::string text(std::size_t{1} << 25U, '\0');
-  const std::size_t n = ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size());
-  REQUIRE(!ZSTD_isError(n));
-  text.resize(n);
-  return text;
-}
-
-/// One run of kPart, or a dry one, that writes a trace; its text.
+/// One run of kTracedPart, or a dry one, that writes a trace; its text.
 std::string traced(const Folder& folder, const std::string& options, const std::string& suffix) {
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kTracedPart);
   const std::string file = folder / ("t" + suffix);
   const Ended ended = call("run -q " + (folder / "p.nc") + " --trace " + file + " " + options);
   CAPTURE(ended.err);
@@ -47,7 +40,7 @@ std::string traced(const Folder& folder, const std::string& options, const std::
 }
 
 /// What Python finds different between the arrays in t.npz and the columns in t.csv.
-std::string differences(const Folder& folder) {
+std::string numpy_differences(const Folder& folder) {
   write(
       folder / "compare.py",
       "import csv, sys, zipfile\n"
@@ -94,7 +87,7 @@ TEST_CASE("the arrays of a trace are the columns of its CSV", "[apps][trace]") {
   const Folder folder;
   traced(folder, "--columns all " + options, ".csv");
   const std::string arrays = traced(folder, options, ".npz");
-  CHECK(differences(folder).empty());
+  CHECK(numpy_differences(folder).empty());
   CHECK(traced(folder, options, ".npz") == arrays);
   CHECK(unpacked(traced(folder, options, ".npz.zst")) == arrays);
 }
@@ -113,7 +106,7 @@ TEST_CASE("a trace of no row, and one of a stream, are arrays too", "[apps][trac
     text.resize(late);
     write(folder / "t.csv", text.replace(text.find(unknown), unknown.size(), hash));
     CAPTURE(part);
-    CHECK(differences(folder).empty());
+    CHECK(numpy_differences(folder).empty());
   }
 }
 

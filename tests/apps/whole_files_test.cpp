@@ -24,11 +24,11 @@ namespace {
 using Names = std::vector<std::string>;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;  // the sanitizer's own memory is beyond any limit
+constexpr bool kAddressSanitized = true;  // the sanitizer's own memory is beyond any limit
 #elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer);
+constexpr bool kAddressSanitized = __has_feature(address_sanitizer);
 #else
-constexpr bool kSanitized = false;
+constexpr bool kAddressSanitized = false;
 #endif
 
 void write_long(const Folder& folder) {
@@ -172,7 +172,7 @@ TEST_CASE("nothing is left in the folder for temporary files", "[apps][files]") 
 }
 
 TEST_CASE("out of memory is status 5 with a text, and files stay", "[apps][files]") {
-  if (kSanitized) return;
+  if (kAddressSanitized) return;
   const Folder folder;
   std::string part;
   for (int i = 0; i < 400'000; ++i) part += "#<name_" + std::to_string(i) + ">=1\n";

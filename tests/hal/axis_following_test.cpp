@@ -148,9 +148,10 @@ TEST_CASE("led axes cut circles as large as the closed form says", "[hal][follow
 }
 
 TEST_CASE("commands are never faster than their axis", "[hal][following][property]") {
-  test::holds([] {
+  softcnc::test::holds([] {
     const Axis axis;
-    const double amplitude = test::real(1, 40), w = test::real(1, 40), phase = test::real(0, 6);
+    const double amplitude = softcnc::test::real(1, 40), w = softcnc::test::real(1, 40),
+                 phase = softcnc::test::real(0, 6);
     const double part = std::min(1.0, axis.velocity / (amplitude * w));
     const auto swing = [&](double t) {
       return part * amplitude * (std::sin(w * t + phase) - std::sin(phase));

@@ -8,20 +8,17 @@
 #include "hal/machine/machine_file.hpp"
 #include "hal/signals/pulse_source.hpp"
 #include "motion/pulses/counts.hpp"
+#include "support_hal.hpp"
 
 namespace softcnc::hal {
 namespace {
+
+using test::setpoint_at;
 
 std::unique_ptr<Backend> opened(const Machine& machine) {
   auto backend = open_backend(machine);
   REQUIRE(backend);
   return std::move(*backend);
-}
-
-Setpoint at(double x, double y = 0, double z = 0) {
-  Setpoint setpoint;
-  setpoint.position = {x, y, z};
-  return setpoint;
 }
 
 Machine retrofit() {
@@ -49,7 +46,7 @@ TEST_CASE("without a backend the axes are where they are commanded", "[hal][back
   machine.control.backend = BackendKind::none;
   const auto backend = opened(machine);
   CHECK(backend->columns().empty());
-  const Feedback feedback = backend->exchange(at(1, 2, 3));
+  const Feedback feedback = backend->exchange(setpoint_at(1, 2, 3));
   CHECK(feedback.position == AxisVector(1, 2, 3));
   CHECK(feedback.alarm == Alarm::none);
   CHECK(backend->settle() == AxisVector(1, 2, 3));
@@ -71,7 +68,7 @@ TEST_CASE("the simulated loop reads its counters once a servo period", "[hal][si
     machine.control.servo_period = servo_period;
     const auto mill = opened(machine);
     for (int i = 0; i <= 20; ++i)
-      mill->exchange(at(planned(machine.axes[0], 100, i * machine.control.period)));
+      mill->exchange(setpoint_at(planned(machine.axes[0], 100, i * machine.control.period)));
     std::array<double, 6> values{};
     mill->values(values);
     return values[0];
@@ -88,7 +85,7 @@ TEST_CASE("pulses follow the fine points of a setpoint", "[hal][sim]") {
   source.begin(0);
   const double blu = machine.axes[0].blu;
   const std::vector<FinePoint> points{{0, {4 * blu, 0, 0}}, {0, {5 * blu, 0, 0}}};
-  Setpoint setpoint = at(5 * blu);
+  Setpoint setpoint = setpoint_at(5 * blu);
   setpoint.fine = points;
   std::vector<double> parts;
   source.move(setpoint, [&](double part, int direction) {
@@ -103,7 +100,7 @@ TEST_CASE("pulses follow the fine points of a setpoint", "[hal][sim]") {
 
 TEST_CASE("the first setpoint says where the mill stands", "[hal][sim]") {
   const auto backend = opened(retrofit());
-  const Feedback feedback = backend->exchange(at(-12.3456, 7));
+  const Feedback feedback = backend->exchange(setpoint_at(-12.3456, 7));
   CHECK(feedback.position[0] == Approx(-12.3456).epsilon(1e-15));
   CHECK(feedback.position[1] == Approx(7).epsilon(1e-15));
   std::array<double, 6> values{};
@@ -121,7 +118,7 @@ TEST_CASE("the default mill runs at its limits without an alarm", "[hal][sim]") 
     const double t = i * machine.control.period;
     const double x =
         t < 3 ? planned(machine.axes[0], 500, t) : 500 - planned(machine.axes[0], 500, t - 3);
-    const Feedback feedback = backend->exchange(at(x, -x, x / 3));
+    const Feedback feedback = backend->exchange(setpoint_at(x, -x, x / 3));
     REQUIRE(feedback.alarm == Alarm::none);
     backend->values(values);
     REQUIRE(values[0] == feedback.position[0]);
@@ -145,7 +142,7 @@ TEST_CASE("the machines by name run at their limits without an alarm", "[hal][si
   const double way = std::min(200.0, axis.max - axis.min);
   for (int i = 0; i * machine->control.period < 3.0; ++i) {
     const double x = planned(axis, way, i * machine->control.period);
-    REQUIRE(mill->exchange(at(x, x)).alarm == Alarm::none);
+    REQUIRE(mill->exchange(setpoint_at(x, x)).alarm == Alarm::none);
   }
   const Counts counts(axis.blu);
   CHECK(counts(mill->settle()[0]) == counts(way));
@@ -159,7 +156,7 @@ TEST_CASE("the mill settles on the commanded counts and is left as it was", "[ha
   const int periods = 700;
   for (int i = 0; i <= periods; ++i) {
     const double part = planned(machine.axes[0], std::abs(target), i * 0.001) / std::abs(target);
-    backend->exchange(at(target * std::min(part, 1.0), 0));
+    backend->exchange(setpoint_at(target * std::min(part, 1.0), 0));
   }
   std::array<double, 6> before{}, after{};
   backend->values(before);
@@ -174,8 +171,8 @@ TEST_CASE("the mill settles on the commanded counts and is left as it was", "[ha
 
 TEST_CASE("a jump of the command is an alarm that names its axis", "[hal][sim]") {
   const auto backend = opened(retrofit());
-  backend->exchange(at(0, 0));
-  const Feedback feedback = backend->exchange(at(0, 15));
+  backend->exchange(setpoint_at(0, 0));
+  const Feedback feedback = backend->exchange(setpoint_at(0, 15));
   CHECK(feedback.alarm == Alarm::following_error);
   CHECK(feedback.alarm_axis == 1);
 }
@@ -186,12 +183,13 @@ TEST_CASE("between setpoints the mill is led along the line in servo periods", "
   slow.control.period = 0.008;
   const auto coarse = opened(slow);
   const auto fine = opened(retrofit());
-  coarse->exchange(at(0, 0));
-  fine->exchange(at(0, 0));
+  coarse->exchange(setpoint_at(0, 0));
+  fine->exchange(setpoint_at(0, 0));
   for (int i = 1; i <= 100; ++i) {
     Feedback expected;
-    for (int k = 1; k <= 8; ++k) expected = fine->exchange(at(0.1 * (i - 1 + k / 8.0), 0.05 * i));
-    const Feedback feedback = coarse->exchange(at(0.1 * i, 0));
+    for (int k = 1; k <= 8; ++k)
+      expected = fine->exchange(setpoint_at(0.1 * (i - 1 + k / 8.0), 0.05 * i));
+    const Feedback feedback = coarse->exchange(setpoint_at(0.1 * i, 0));
     REQUIRE(feedback.position[0] == Approx(expected.position[0]).margin(1e-12));
   }
 }
@@ -201,8 +199,8 @@ TEST_CASE("the same setpoints move the mill the same, bit for bit", "[hal][sim]"
     const auto backend = opened(retrofit());
     AxisVector last;
     for (int i = 0; i < 3000; ++i)
-      last =
-          backend->exchange(at(30 * std::sin(i * 0.004), 30 * std::cos(i * 0.004) - 30)).position;
+      last = backend->exchange(setpoint_at(30 * std::sin(i * 0.004), 30 * std::cos(i * 0.004) - 30))
+                 .position;
     return last;
   };
   CHECK(run() == run());

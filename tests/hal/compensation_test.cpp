@@ -18,7 +18,9 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
+using test::kPeriod;
+using test::largest_difference;
+using test::setpoint_at;
 
 const std::vector<PitchPoint> kTable{{-100, 0.01}, {0, 0}, {20, 0.012}, {50, -0.006}};
 
@@ -38,12 +40,6 @@ Machine on_plant(Machine machine, double backlash, std::vector<PitchPoint> table
   return machine;
 }
 
-Setpoint at(const AxisVector& position) {
-  Setpoint setpoint;
-  setpoint.position = position;
-  return setpoint;
-}
-
 /// A circle of 50 mm at 1000 mm/min, counter-clockwise from the right, and a quarter more; with a
 /// ramp of the speed at 100 mm/s^2 before it.
 AxisVector circle(double t) {
@@ -58,14 +54,8 @@ std::vector<double> tables(const Machine& machine, const std::function<AxisVecto
   const auto backend = std::move(*open_backend(machine));
   std::vector<double> positions;
   for (int i = 0; i * kPeriod <= seconds; ++i)
-    positions.push_back(backend->exchange(at(path(i * kPeriod))).position[0]);
+    positions.push_back(backend->exchange(setpoint_at(path(i * kPeriod))).position[0]);
   return positions;
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 }  // namespace
@@ -92,8 +82,8 @@ TEST_CASE("a compensated pitch puts the table where it is to be", "[hal][screw]"
 
 TEST_CASE("commands know how fast they have been", "[hal][screw]") {
   Commands commands(mill(0.1));
-  commands(at({0, 0, 0}));
-  commands(at({0.2, 0.2, 0}));
+  commands(setpoint_at({0, 0, 0}));
+  commands(setpoint_at({0.2, 0.2, 0}));
   CHECK(commands.velocity_max() == AxisVector(0.2 / kPeriod, 0, 0));
 }
 
@@ -118,7 +108,7 @@ TEST_CASE("a table waits while its screw turns through the lost motion", "[hal][
 TEST_CASE("a machine without errors of its screws sends its path", "[hal][screw]") {
   Commands commands(mill(0));
   CHECK_FALSE(commands.differ());
-  const Setpoint setpoint = at({1, 2, 3});
+  const Setpoint setpoint = setpoint_at({1, 2, 3});
   CHECK(&commands(setpoint) == &setpoint);
   CHECK(commands.next_to_release() == nullptr);
 }
@@ -213,13 +203,13 @@ TEST_CASE("a compensated screw puts the table to the path where it rests", "[hal
   Machine machine = on_plant(mill(0.08, kTable), 0.08, kTable);
   const auto backend = std::move(*open_backend(machine));
   double position = 0;
-  backend->exchange(at({position, 0, 0}));
+  backend->exchange(setpoint_at({position, 0, 0}));
   for (const double goal : {30.0, 12.0, 45.0, -20.0, -19.0}) {
     while (std::abs(goal - position) > 1e-9) {
       position += std::clamp(goal - position, -0.02, 0.02);
-      backend->exchange(at({position, 0, 0}));
+      backend->exchange(setpoint_at({position, 0, 0}));
     }
-    for (int i = 0; i < 800; ++i) backend->exchange(at({position, 0, 0}));
+    for (int i = 0; i < 800; ++i) backend->exchange(setpoint_at({position, 0, 0}));
     INFO(goal);
     CHECK(std::abs(backend->settle()[0] - goal) <= machine.axes[0].blu);
   }
@@ -230,7 +220,7 @@ TEST_CASE("the loop does not see the errors of the screw", "[hal][sim][screw]") 
   const auto backend = std::move(*open_backend(machine));
   CHECK(std::vector<std::string>(backend->columns().begin(), backend->columns().end())[0] ==
         "x_act_mm");
-  const Feedback first = backend->exchange(at({20, 0, 0}));
+  const Feedback first = backend->exchange(setpoint_at({20, 0, 0}));
   CHECK(first.position[0] == Approx(20.012));
   CHECK(backend->actual().back()[0] == Approx(20.012));
   CHECK(backend->settle()[0] == Approx(20.012));
@@ -243,7 +233,7 @@ TEST_CASE("backends with compensation have columns of what they send", "[hal][sc
     const auto backend = std::move(*open_backend(without_port(machine)));
     return std::vector<std::string>(backend->columns().begin(), backend->columns().end());
   };
-  using Names = std::vector<std::string>;
+  using test::Names;
   CHECK(names(BackendKind::sim) == Names{"x_cmd_mm", "x_act_mm", "x_err_um", "x_current_a",
                                          "y_cmd_mm", "y_act_mm", "y_err_um", "y_current_a"});
   CHECK(names(BackendKind::stepdir) == Names{"x_cmd_mm", "x_count", "y_cmd_mm", "y_count"});
@@ -260,16 +250,16 @@ TEST_CASE("pulses are the counts of the compensated commands, and end where prog
   const auto backend = std::move(*open_backend(machine));
   std::vector<double> values(backend->columns().size());
   double x = 0;
-  backend->exchange(at({x, 0, 0}));
+  backend->exchange(setpoint_at({x, 0, 0}));
   for (const double goal : {15.0, 4.0}) {
     while (std::abs(goal - x) > 1e-9) {
       x += std::clamp(goal - x, -0.05, 0.05);
-      const Feedback feedback = backend->exchange(at({x, 0, 0}));
+      const Feedback feedback = backend->exchange(setpoint_at({x, 0, 0}));
       backend->values(values);
       REQUIRE(values[1] == static_cast<double>(counts(values[0])));
       REQUIRE(std::abs(feedback.position[0] - x) <= machine.axes[0].blu / 2 + 1e-9);
     }
-    for (int i = 0; i < 100; ++i) backend->exchange(at({x, 0, 0}));
+    for (int i = 0; i < 100; ++i) backend->exchange(setpoint_at({x, 0, 0}));
   }
   backend->values(values);
   CHECK(values[0] == Approx(4 - 0.05 + pitch_compensation(kTable)(4)).margin(1e-12));

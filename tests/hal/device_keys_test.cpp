@@ -12,7 +12,8 @@
 namespace softcnc::hal {
 namespace {
 
-using Settings = std::vector<std::string>;
+using test::parsed;
+using test::Settings;
 using Lines = std::vector<std::string>;
 
 const std::string kDevices = R"([mcode.31]
@@ -62,12 +63,6 @@ Lines shown(const std::string& text, const Settings& settings = {}) {
     all.push_back(one.substr(0, one.find('\n')));
   }
   return all;
-}
-
-Machine parsed(const std::string& text, const Settings& settings = {}) {
-  const auto machine = parse_machine(text, "mill.toml", settings);
-  if (!machine) FAIL(render(machine.error().front()));
-  return *machine;
 }
 
 }  // namespace

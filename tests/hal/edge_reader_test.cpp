@@ -14,8 +14,10 @@
 namespace softcnc::hal {
 namespace {
 
+using test::step;
+
 /// A dump of another program: its own order, names and scale, with variables that are no lines.
-const std::string kHead =
+const std::string kDumpHead =
     "$date\n  Sunday $end\n$version logic analyser 3 $end\n$timescale 10us $end\n"
     "$scope module top $end\n$scope module port $end\n"
     "$var wire 8 data bus [7:0] $end\n$var reg 1 s1 z_step $end\n$var wire 1 d1 z_dir $end\n"
@@ -52,14 +54,10 @@ Reading read_all(std::string_view text) {
 
 std::string error_of(std::string_view text) { return read_all(text).error; }
 
-SignalEdge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
-  return {time, axis, Wire::step, high};
-}
-
 }  // namespace
 
 TEST_CASE("a dump of another program is read, wherever it is cut", "[hal][pulse]") {
-  const std::string text = kHead +
+  const std::string text = kDumpHead +
                            "#3\n$dumpvars b00xx data xs1 1d1 r0.5 v $end\n"
                            "#4 0s1 b1 data\n$comment 1s1 $end\n#10\n1s1\n\n#12 b0 s1\n0d1\r\n";
   for (const std::size_t piece : {1UL, 2UL, 3UL, 7UL, text.size()}) {
@@ -120,22 +118,23 @@ TEST_CASE("a dump that is damaged or says nothing of pulses is refused", "[hal][
   CHECK(error_of("$var wire 1 $end\n") == "$var takes a type, a size and two names");
   CHECK(error_of("$end\n") == "an $end without a beginning");
   CHECK(error_of("$date $end\n#1\n") == "'#1' among the definitions");
-  CHECK(error_of(kHead + "#4 1s") == "not whole: it ends within a line");
-  CHECK(error_of(kHead + "#4 b1\n") == "not whole: it ends within a value");
-  CHECK(error_of(kHead + "#4 $comment\n") == "not whole: it ends within $comment");
-  CHECK(error_of(kHead + "$dumpvars 1s1\n") == "not whole: it ends within a dump of all values");
-  CHECK(error_of(kHead + "#-4\n") == "'#-4' is not a time");
-  CHECK(error_of(kHead + "#9223372036854775807\n") == "'#9223372036854775807' is not a time");
-  CHECK(error_of(kHead + "#4 hello\n") == "'hello' is not a value of a variable");
-  CHECK(error_of(kHead + std::string(1000, 'q') + '\n') ==
+  CHECK(error_of(kDumpHead + "#4 1s") == "not whole: it ends within a line");
+  CHECK(error_of(kDumpHead + "#4 b1\n") == "not whole: it ends within a value");
+  CHECK(error_of(kDumpHead + "#4 $comment\n") == "not whole: it ends within $comment");
+  CHECK(error_of(kDumpHead + "$dumpvars 1s1\n") ==
+        "not whole: it ends within a dump of all values");
+  CHECK(error_of(kDumpHead + "#-4\n") == "'#-4' is not a time");
+  CHECK(error_of(kDumpHead + "#9223372036854775807\n") == "'#9223372036854775807' is not a time");
+  CHECK(error_of(kDumpHead + "#4 hello\n") == "'hello' is not a value of a variable");
+  CHECK(error_of(kDumpHead + std::string(1000, 'q') + '\n') ==
         "'" + std::string(40, 'q') + "...' is not a value of a variable");
-  CHECK(error_of(kHead + "#4 1s1 #5 xs1\n") == "z_step is neither high nor low");
-  CHECK(error_of(kHead + "#4 1s1 #5 b00 s1\n") == "z_step is neither high nor low");
+  CHECK(error_of(kDumpHead + "#4 1s1 #5 xs1\n") == "z_step is neither high nor low");
+  CHECK(error_of(kDumpHead + "#4 1s1 #5 b00 s1\n") == "z_step is neither high nor low");
 }
 
 TEST_CASE("the place of what is wrong in a dump is reported", "[hal][pulse]") {
   EdgeReader reader([](const ReadEdge&) {});
-  const Status read = reader.read(kHead + "#4\n1s1\n#5 ?!\n");
+  const Status read = reader.read(kDumpHead + "#4\n1s1\n#5 ?!\n");
   REQUIRE_FALSE(read);
   CHECK(read.error().pos.line == 16);
   CHECK(read.error().pos.column == 4);
@@ -151,7 +150,7 @@ TEST_CASE("a line of a dump that does not end is refused before it fills the mem
     std::string piece;
     while (piece.size() < kPiece) piece += word;
     EdgeReader reader([](const ReadEdge&) {});
-    REQUIRE(reader.read(kHead + "#4\n"));
+    REQUIRE(reader.read(kDumpHead + "#4\n"));
     Status status;
     int pieces = 0;
     for (; status && pieces < 100; ++pieces) status = reader.read(piece);
@@ -173,7 +172,7 @@ TEST_CASE("a packed list of edges that unpacks to a thousand times its size is r
   auto out = OutputFile::open(file);
   REQUIRE(out);
   auto sink = zstd_sink(std::move(*out));
-  REQUIRE(sink->write(kHead));
+  REQUIRE(sink->write(kDumpHead));
   const std::string blank(std::size_t{1} << 20U, '\n');
   for (int i = 0; i < 400; ++i) REQUIRE(sink->write(blank));
   REQUIRE(sink->finish());

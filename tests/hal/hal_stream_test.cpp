@@ -16,17 +16,13 @@
 namespace softcnc::hal {
 namespace {
 
+using test::setpoint_at;
+
 Machine streamed(const std::string& file) {
   Machine machine;
   machine.control.backend = BackendKind::hal_stream;
   machine.hal_stream.file = file;
   return machine;
-}
-
-Setpoint at(double x, double y, double z) {
-  Setpoint setpoint;
-  setpoint.position = {x, y, z};
-  return setpoint;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -66,7 +62,7 @@ class Fifo {
 /// Rows until the backend says that it cannot go on, at most `most`.
 int rows_until_alarm(Backend& backend, int most) {
   for (int i = 0; i < most; ++i)
-    if (backend.exchange(at(i * 0.001, 1.0 / (i + 1), 0)).alarm == Alarm::port) return i;
+    if (backend.exchange(setpoint_at(i * 0.001, 1.0 / (i + 1), 0)).alarm == Alarm::port) return i;
   return most;
 }
 
@@ -76,9 +72,9 @@ TEST_CASE("rows say where the axes are, whether the program runs, and their numb
   const test::Folder folder;
   auto backend = HalRows::open(streamed(folder / "rows"));
   REQUIRE(backend);
-  (*backend)->exchange(at(0, 0, 0));
-  (*backend)->exchange(at(0.1, -1.0 / 3, 1e-7));
-  const Feedback feedback = (*backend)->exchange(at(12.5, 0, 0));
+  (*backend)->exchange(setpoint_at(0, 0, 0));
+  (*backend)->exchange(setpoint_at(0.1, -1.0 / 3, 1e-7));
+  const Feedback feedback = (*backend)->exchange(setpoint_at(12.5, 0, 0));
   CHECK(feedback.alarm == Alarm::none);
   CHECK((feedback.position - AxisVector(12.5, 0, 0)).norm() == 0);
   CHECK_FALSE(std::filesystem::exists(folder / "rows"));
@@ -105,8 +101,8 @@ TEST_CASE("a row comes every servo period, and only for axes there are", "[hal]"
   machine.axes[1].present = false;
   auto backend = HalRows::open(machine);
   REQUIRE(backend);
-  (*backend)->exchange(at(1, 0, 2));
-  (*backend)->exchange(at(2, 0, 0));
+  (*backend)->exchange(setpoint_at(1, 0, 2));
+  (*backend)->exchange(setpoint_at(2, 0, 0));
   REQUIRE((*backend)->finish());
   const auto lines = lines_of(test::read(folder / "rows"));
   REQUIRE(lines.size() == 9);
@@ -127,9 +123,9 @@ TEST_CASE("rows are the fine points of a setpoint", "[hal]") {
   const bool twice = GENERATE(false, true);  // as the simulated mill asks for
   std::vector<FinePoint> points{{0, {0.1, 0, 0}}, {0, {1, 0, 0}}};
   if (twice) points = {{0, {7, 7, 7}}, points[0], {0, {8, 8, 8}}, points[1]};
-  Setpoint second = at(1, 0, 0);
+  Setpoint second = setpoint_at(1, 0, 0);
   second.fine = points;
-  (*backend)->exchange(at(0, 0, 0));
+  (*backend)->exchange(setpoint_at(0, 0, 0));
   (*backend)->exchange(second);
   REQUIRE((*backend)->finish());
   const auto lines = lines_of(test::read(folder / "rows"));
@@ -144,8 +140,8 @@ TEST_CASE("before the program waits, HAL has all rows and is informed of it", "[
   Fifo fifo(folder / "rows");
   auto backend = HalRows::open(streamed(folder / "rows"));
   REQUIRE(backend);
-  (*backend)->exchange(at(0, 0, 0));
-  (*backend)->exchange(at(1, 0, 0));
+  (*backend)->exchange(setpoint_at(0, 0, 0));
+  (*backend)->exchange(setpoint_at(1, 0, 0));
   CHECK(lines_of(fifo.read()).size() == 2);  // comments: rows are held back for a lead
   (*backend)->rest();
   const auto lines = lines_of(fifo.read());
@@ -219,7 +215,7 @@ TEST_CASE("a pipe that stays full, or is closed, is an alarm of the port", "[hal
 TEST_CASE("a full disk and a folder that is not there are reported", "[hal][code]") {
   auto full = HalRows::open(streamed("/dev/full"));
   REQUIRE(full);
-  CHECK((*full)->exchange(at(0, 0, 0)).alarm == Alarm::port);
+  CHECK((*full)->exchange(setpoint_at(0, 0, 0)).alarm == Alarm::port);
   const Status finished = (*full)->finish();
   REQUIRE_FALSE(finished);
   CHECK(finished.error().code == Code::SC6012);

@@ -14,13 +14,8 @@
 namespace softcnc::hal {
 namespace {
 
+using test::all_of;
 using test::Folder;
-
-std::string all_of(const std::vector<Diagnostic>& diagnostics) {
-  std::string text;
-  for (const Diagnostic& diagnostic : diagnostics) text += render(diagnostic);
-  return text;
-}
 
 /// What is made of a file that must be good, and the machine that it reads back to.
 struct Made : ImportedMachine {
@@ -41,7 +36,7 @@ Made made_of(const std::string& name, const std::string& text, const ImportOptio
   return made(folder / name, options);
 }
 
-std::string refused(const std::string& name, const std::string& text) {
+std::string refused_import(const std::string& name, const std::string& text) {
   Folder folder;
   folder.with(name, text);
   const auto imported = import_machine(folder / name, {});
@@ -142,12 +137,12 @@ TEST_CASE("settings with descriptions, of axes that softcnc has not, and of Flui
 }
 
 TEST_CASE("what is wrong with grbl's settings is reported at its place", "[hal][import]") {
-  CHECK(refused("g", "$100=80\n$110=fast\nX1 Y1\n$101=0\n$11=-1\n") ==
+  CHECK(refused_import("g", "$100=80\n$110=fast\nX1 Y1\n$101=0\n$11=-1\n") ==
         "g:2:6: error: $110 needs a number above 0, not 'fast' [SC7035]\n"
         "g:3:1: error: this is no setting of grbl, as $100=80 [SC7034]\n"
         "g:4:6: error: $101 needs a number above 0, not '0' [SC7035]\n"
         "g:5:5: error: $11 needs a number from 0 on, not '-1' [SC7035]\n");
-  CHECK(shows(refused("g", "$100=1e9\n"),
+  CHECK(shows(refused_import("g", "$100=1e9\n"),
               "g:1:6: error: axis.x.blu_um must be at least 0.001 and at most 10000, not 1e-06 "
               "[SC7005]\n"));
   const Made twice = made_of("g", "$100=80\n$100=100\n");
@@ -259,9 +254,9 @@ TEST_CASE("a configuration brings its tools, its offsets and its included files"
 }
 
 TEST_CASE("what is wrong with a configuration is reported at its place", "[hal][import]") {
-  CHECK(refused("a.ini",
-                "x = 1\n[TRAJ\n[TRAJ]\nnothing\nLINEAR_UNITS = yard\n[AXIS_X]\n"
-                "MAX_VELOCITY = fast\n[JOINT_0]\nSCALE = 0\n") ==
+  CHECK(refused_import("a.ini",
+                       "x = 1\n[TRAJ\n[TRAJ]\nnothing\nLINEAR_UNITS = yard\n[AXIS_X]\n"
+                       "MAX_VELOCITY = fast\n[JOINT_0]\nSCALE = 0\n") ==
         "a.ini:1:1: error: a variable before any [SECTION] [SC7034]\n"
         "a.ini:2:1: error: a section needs its ']' [SC7034]\n"
         "a.ini:4:1: error: this is neither [SECTION] nor NAME = VALUE [SC7034]\n"
@@ -269,9 +264,9 @@ TEST_CASE("what is wrong with a configuration is reported at its place", "[hal][
         "[SC7035]\n"
         "a.ini:7:16: error: [AXIS_X]MAX_VELOCITY needs a number, not 'fast' [SC7035]\n"
         "a.ini:9:9: error: SCALE cannot be 0 [SC7035]\n");
-  CHECK(shows(refused("a.ini", "[AXIS_X]\nMIN_LIMIT = 5\nMAX_LIMIT = -5\n"),
+  CHECK(shows(refused_import("a.ini", "[AXIS_X]\nMIN_LIMIT = 5\nMAX_LIMIT = -5\n"),
               "a.ini:3:13: error: axis.x.min_mm = 5 is not below axis.x.max_mm = -5 [SC7008]"));
-  CHECK(shows(refused("a.ini", "[AXIS_X]\nMAX_VELOCITY = 0\n"),
+  CHECK(shows(refused_import("a.ini", "[AXIS_X]\nMAX_VELOCITY = 0\n"),
               "a.ini:2:16: error: axis.x.velocity_mm_min must be ... [SC7005]"));
   const Made twice = made_of("a.ini",
                              "[AXIS_X]\nMAX_VELOCITY = 5\nMAX_VELOCITY = 6\n"
@@ -315,18 +310,18 @@ TEST_CASE("a tool table becomes tools and their lengths", "[hal][import]") {
 }
 
 TEST_CASE("what is wrong with a tool table is reported at its place", "[hal][import]") {
-  CHECK(refused("tool.tbl", "T1 P1 D\nP2 D3 ;no number\nT1.5\nT3 K4\nT5 T6\nT-1\n") ==
+  CHECK(refused_import("tool.tbl", "T1 P1 D\nP2 D3 ;no number\nT1.5\nT3 K4\nT5 T6\nT-1\n") ==
         "tool.tbl:1:7: error: 'D' has no number after its letter [SC7035]\n"
         "tool.tbl:2:1: error: a tool without its number T [SC7034]\n"
         "tool.tbl:3:1: error: 'T1.5' is no number of a tool [SC7035]\n"
         "tool.tbl:4:4: error: 'K4' is no entry of a tool table of LinuxCNC [SC7034]\n"
         "tool.tbl:5:4: error: T is given twice for one tool [SC7034]\n"
         "tool.tbl:6:1: error: 'T-1' is no number of a tool [SC7035]\n");
-  CHECK(refused("tool.tbl", " TOOLNO POCKET LENGTH\n\n 1 1 0.5\n 2 2 0.5\n") ==
+  CHECK(refused_import("tool.tbl", " TOOLNO POCKET LENGTH\n\n 1 1 0.5\n 2 2 0.5\n") ==
         "tool.tbl:1:2: error: a table with columns is one of LinuxCNC before 2.4; here each entry "
         "has "
         "its letter: T1 P1 D6 Z20 [SC7034]\n");
-  CHECK(refused("tool.tbl", "T1 Z1e7\n") ==
+  CHECK(refused_import("tool.tbl", "T1 Z1e7\n") ==
         "tool.tbl:1:1: error: a tool longer than 1000 m [SC7035]\n");
   const Made twice = made_of("tool.tbl", "T1 D6\nT1 D8\n");
   CHECK(twice.read.tools.at(1).radius == 3);
@@ -338,8 +333,8 @@ TEST_CASE("what is wrong with a tool table is reported at its place", "[hal][imp
 TEST_CASE("a file without a known suffix is known by its first lines", "[hal][import]") {
   CHECK(made_of("a", "T1 P1 D6\n").read.tools.size() == 1);
   CHECK(made_of("a", "# mill\n[AXIS_X]\nMAX_VELOCITY = 5\n").read.axes[0].velocity == 5);
-  CHECK(shows(refused("a.yaml", "name: mill\n"), "a.yaml: error: is neither ... [SC7032]"));
-  CHECK(shows(refused("a", ""), "[SC7032]"));
+  CHECK(shows(refused_import("a.yaml", "name: mill\n"), "a.yaml: error: is neither ... [SC7032]"));
+  CHECK(shows(refused_import("a", ""), "[SC7032]"));
   const auto missing = import_machine("/no/such/file.ini", {});
   REQUIRE_FALSE(missing);
   CHECK(shows(all_of(missing.error()), "/no/such/file.ini: error: cannot be read: ... [SC7033]"));

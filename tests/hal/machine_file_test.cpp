@@ -18,23 +18,13 @@
 namespace softcnc::hal {
 namespace {
 
-using Settings = std::vector<std::string>;
-
-std::string all_of(const std::vector<Diagnostic>& faults) {
-  std::string text;
-  for (const Diagnostic& fault : faults) text += render(fault);
-  return text;
-}
-
-Machine parsed(const std::string& text, const Settings& settings = {}) {
-  const auto machine = parse_machine(text, "mill.toml", settings);
-  INFO((machine ? std::string() : all_of(machine.error())));
-  REQUIRE(machine);
-  return *machine;
-}
+using test::all_of;
+using test::kSource;
+using test::parsed;
+using test::Settings;
 
 /// All that is reported.
-std::string refused(const std::string& text, const Settings& settings = {}) {
+std::string refused_machine(const std::string& text, const Settings& settings = {}) {
   const auto machine = parse_machine(text, "mill.toml", settings);
   REQUIRE_FALSE(machine);
   for (const Diagnostic& fault : machine.error()) CHECK(exit_status(fault) == 2);
@@ -93,8 +83,6 @@ bool identical(Machine a, Machine b) {
   }
   return true;
 }
-
-const std::string kSource = SOFTCNC_SOURCE_DIR;
 
 }  // namespace
 
@@ -290,32 +278,32 @@ TEST_CASE("fine interpolation and the simulated loop follow the period unless th
 TEST_CASE("a servo period that is 0 is one that is not given", "[hal][machine]") {
   CHECK(parsed("").control.servo_period == 0);
   CHECK(machine_toml(parsed("")).find("\nservo_period_ms = 0\n") != std::string::npos);
-  CHECK(refused("", {"control.servo_period_ms=0.0001"}).find("must be 0, or at least 0.001") !=
-        std::string::npos);
+  CHECK(refused_machine("", {"control.servo_period_ms=0.0001"})
+            .find("must be 0, or at least 0.001") != std::string::npos);
 }
 
 TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   SECTION("an unknown key") {
-    CHECK(refused("[control]\ncicle_ms = 1.0\n") ==
+    CHECK(refused_machine("[control]\ncicle_ms = 1.0\n") ==
           "mill.toml:2:1: error: unknown key 'control.cicle_ms'; did you mean "
           "'control.period_ms'? [SC7001]\n"
           "    2 | cicle_ms = 1.0\n"
           "      | ^~~~~~~~\n");
-    CHECK(refused("period_ms = 1.0") ==
+    CHECK(refused_machine("period_ms = 1.0") ==
           "mill.toml:1:1: error: unknown key 'period_ms'; did you mean "
           "'control.period_ms'? [SC7001]\n"
           "    1 | period_ms = 1.0\n"
           "      | ^~~~~~~~~\n");
-    CHECK(refused("[axis.y.driv]\nkv_1_s = 3")
+    CHECK(refused_machine("[axis.y.driv]\nkv_1_s = 3")
               .starts_with("mill.toml:1:9: error: unknown key 'axis.y.driv'; did you mean "
                            "'axis.y.drive'? [SC7001]\n"));
-    CHECK(begins_showing(refused("[axis.a]\nblu_um = 3"),
+    CHECK(begins_showing(refused_machine("[axis.a]\nblu_um = 3"),
                          "mill.toml:1:7: error: unknown key 'axis.a'... [SC7001]"));
-    CHECK(begins_showing(refused("[tool.01]\nteeth = 3"),
+    CHECK(begins_showing(refused_machine("[tool.01]\nteeth = 3"),
                          "mill.toml:1:7: error: unknown key 'tool.01'... [SC7001]"));
   }
   SECTION("no TOML") {
-    CHECK(refused("[control]\nperiod_ms = = 1\n") ==
+    CHECK(refused_machine("[control]\nperiod_ms = = 1\n") ==
           "mill.toml:2:13: error: not TOML: value: could not determine value type [SC7002]\n"
           "    2 | period_ms = = 1\n"
           "      |             ^\n");
@@ -330,62 +318,62 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(folder.error().front().code == Code::SC7003);
   }
   SECTION("a wrong type") {
-    CHECK(refused("[axis.x]\nblu_um = \"fine\"") ==
+    CHECK(refused_machine("[axis.x]\nblu_um = \"fine\"") ==
           "mill.toml:2:10: error: axis.x.blu_um takes a number, not a string [SC7004]\n"
           "    2 | blu_um = \"fine\"\n"
           "      |          ^~~~~~\n");
-    CHECK(refused("control = 3")
+    CHECK(refused_machine("control = 3")
               .starts_with("mill.toml:1:11: error: control must be a table [SC7004]\n"));
-    CHECK(refused("axis.x.counts_per_rev = 2000.5")
+    CHECK(refused_machine("axis.x.counts_per_rev = 2000.5")
               .starts_with("mill.toml:1:25: error: axis.x.counts_per_rev takes an "
                            "integer, not a number [SC7004]\n"));
-    CHECK(refused("control.backend = true")
+    CHECK(refused_machine("control.backend = true")
               .starts_with(
                   "mill.toml:1:19: error: control.backend takes one of 'none', "
                   "'sim', 'stepdir', 'parport', 'hal-stream', not true or false [SC7004]\n"));
     CHECK(
-        refused("[control.period_ms]\nx = 1")
+        refused_machine("[control.period_ms]\nx = 1")
             .starts_with(
                 "mill.toml:1:1: error: control.period_ms takes a number, not a table [SC7004]\n"));
-    CHECK(refused("name = 1979-05-27")
+    CHECK(refused_machine("name = 1979-05-27")
               .starts_with(
                   "mill.toml:1:8: error: name takes a string, not a date or time [SC7004]\n"));
-    CHECK(refused("name = [1]")
+    CHECK(refused_machine("name = [1]")
               .starts_with("mill.toml:1:8: error: name takes a string, not an array [SC7004]\n"));
   }
   SECTION("no point") {
-    CHECK(refused("[stock]\norigin_mm = [1, 2]")
+    CHECK(refused_machine("[stock]\norigin_mm = [1, 2]")
               .starts_with("mill.toml:2:13: error: stock.origin_mm takes an array of three "
                            "numbers, or of none, not an array [SC7004]\n"));
-    CHECK(refused("stock.origin_mm = [1, \"2\", 3]")
+    CHECK(refused_machine("stock.origin_mm = [1, \"2\", 3]")
               .starts_with("mill.toml:1:19: error: stock.origin_mm takes an array of three "
                            "numbers, or of none, not an array [SC7004]\n"));
-    CHECK(refused("stock.origin_mm = 1").find("not a number") != std::string::npos);
-    CHECK(refused("stock.origin_mm = [1, 2e6, 3]")
+    CHECK(refused_machine("stock.origin_mm = 1").find("not a number") != std::string::npos);
+    CHECK(refused_machine("stock.origin_mm = [1, 2e6, 3]")
               .starts_with("mill.toml:1:19: error: stock.origin_mm must be at least -1e+05 "
                            "and at most 1e+05, not 2e+06 [SC7005]\n"));
-    CHECK(refused("stock.x_mm = [1, 2, 3]").find("takes a number, not an array") !=
+    CHECK(refused_machine("stock.x_mm = [1, 2, 3]").find("takes a number, not an array") !=
           std::string::npos);
   }
   SECTION("out of range") {
-    CHECK(refused("[control]\n\n   period_ms = -1.5 # no\n") ==
+    CHECK(refused_machine("[control]\n\n   period_ms = -1.5 # no\n") ==
           "mill.toml:3:16: error: control.period_ms must be at least 0.001 and at most "
           "1000, not -1.5 [SC7005]\n"
           "    3 |    period_ms = -1.5 # no\n"
           "      |                ^~~~\n");
     for (const char* value : {"0", "nan", "inf", "-inf", "1e9"})
-      CHECK(begins_showing(refused(std::string("axis.x.velocity_mm_min = ") + value),
+      CHECK(begins_showing(refused_machine(std::string("axis.x.velocity_mm_min = ") + value),
                            "mill.toml:1:26: error: axis.x.velocity_mm_min must be... [SC7005]"));
     for (const char* key : {"acceleration_mm_s2", "blu_um"})
-      CHECK(shows(refused(std::string("[axis.z]\n") + key + " = 0"),
+      CHECK(shows(refused_machine(std::string("[axis.z]\n") + key + " = 0"),
                   "error: axis.z." + std::string(key) + "... [SC7005]"));
-    CHECK(refused("axis.x.drive.counter_bits = 99")
+    CHECK(refused_machine("axis.x.drive.counter_bits = 99")
               .starts_with("mill.toml:1:29: error: axis.x.drive.counter_bits must be at "
                            "least 2 and at most "
                            "32, not 99 [SC7005]\n"));
   }
   SECTION("an unknown word") {
-    CHECK(refused("control.interpolation = 'spline'")
+    CHECK(refused_machine("control.interpolation = 'spline'")
               .starts_with("mill.toml:1:25: error: control.interpolation must be one "
                            "of "
                            "'arc-length', 'taylor1', 'taylor2', 'curvature3p', 'rk4', "
@@ -394,33 +382,33 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
                            "not 'spline' [SC7006]\n"));
   }
   SECTION("travel the wrong way round") {
-    CHECK(refused("[axis.x]\nmin_mm = 10\nmax_mm = 10") ==
+    CHECK(refused_machine("[axis.x]\nmin_mm = 10\nmax_mm = 10") ==
           "mill.toml:3:10: error: axis.x.min_mm = 10 is not below axis.x.max_mm = 10 [SC7008]\n"
           "    3 | max_mm = 10\n"
           "      |          ^~\n");
-    CHECK(refused("[axis.z]\nmin_mm = 2000")
+    CHECK(refused_machine("[axis.z]\nmin_mm = 2000")
               .starts_with("mill.toml:2:10: error: axis.z.min_mm = 2000 is not below "
                            "axis.z.max_mm = 1000 [SC7008]\n"));
   }
   SECTION("periods that do not divide") {
-    CHECK(refused("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==
+    CHECK(refused_machine("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==
           "mill.toml:2:13: error: control.period_ms = 1.5 is not a multiple of "
           "control.servo_period_ms = 1 [SC7010]\n"
           "    2 | period_ms = 1.5\n"
           "      |             ^~~\n");
-    CHECK(begins_showing(refused("[control]\nservo_period_ms = 2.0"),
+    CHECK(begins_showing(refused_machine("[control]\nservo_period_ms = 2.0"),
                          "mill.toml:2:19: error: ... [SC7010]"));
   }
   SECTION("a method without limits on a real machine") {
-    CHECK(refused("[control]\ninterpolation = 'chords'\nbackend = 'hal-stream'") ==
+    CHECK(refused_machine("[control]\ninterpolation = 'chords'\nbackend = 'hal-stream'") ==
           "mill.toml:2:17: error: chords keeps no limit of the axes, so it runs with "
           "control.backend = none or sim alone, not with hal-stream [SC7081]\n"
           "    2 | interpolation = 'chords'\n"
           "      |                 ^~~~~~~~\n");
     for (const char* backend : {"stepdir", "parport", "hal-stream"})
       for (const char* method : {"chords", "acc-dec-linear", "acc-dec-bell", "two-step"})
-        CHECK(refused("", {std::string("control.interpolation=") + method,
-                           std::string("control.backend=") + backend})
+        CHECK(refused_machine("", {std::string("control.interpolation=") + method,
+                                   std::string("control.backend=") + backend})
                   .find("[SC7081]") != std::string::npos);
     for (const char* method : {"rk4", "yeh-hsu-1999", "yeh-hsu-2002"}) {
       const std::vector<std::string> given{std::string("control.interpolation=") + method,
@@ -430,45 +418,45 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("a rough period that is not a multiple of the period") {
     const std::string two_step = "[control]\ninterpolation = 'two-step'\n";
-    CHECK(refused(two_step + "rough_period_ms = 8\nperiod_ms = 3") ==
+    CHECK(refused_machine(two_step + "rough_period_ms = 8\nperiod_ms = 3") ==
           "mill.toml:3:19: error: control.rough_period_ms = 8 is not a multiple of "
           "control.period_ms = 3 [SC7082]\n"
           "    3 | rough_period_ms = 8\n"
           "      |                   ^\n");
-    CHECK(begins_showing(refused(two_step + "period_ms = 16"),
+    CHECK(begins_showing(refused_machine(two_step + "period_ms = 16"),
                          "mill.toml:3:13: error: ... [SC7082]"));
     CHECK(parsed(two_step + "period_ms = 0.5").control.rough_period == 0.008);
     CHECK(parsed("[control]\nperiod_ms = 3").control.period == 0.003);
   }
   SECTION("acceleration after interpolation over too many periods") {
-    CHECK(refused("[control]\ninterpolation = 'acc-dec-bell'\nperiod_ms = 0.01\n"
-                  "servo_period_ms = 0.01\nacc_dec_ms = 5000") ==
+    CHECK(refused_machine("[control]\ninterpolation = 'acc-dec-bell'\nperiod_ms = 0.01\n"
+                          "servo_period_ms = 0.01\nacc_dec_ms = 5000") ==
           "mill.toml:5:14: error: acceleration over 5000 ms is more than 100000 periods of 0.01 "
           "ms [SC7083]\n"
           "    5 | acc_dec_ms = 5000\n"
           "      |              ^~~~\n");
-    CHECK(begins_showing(refused("[control]\ninterpolation = 'acc-dec-linear'\n[axis.x]\n"
-                                 "acceleration_mm_s2 = 0.001"),
+    CHECK(begins_showing(refused_machine("[control]\ninterpolation = 'acc-dec-linear'\n[axis.x]\n"
+                                         "acceleration_mm_s2 = 0.001"),
                          "mill.toml:4:22: error: ... [SC7083]"));
   }
   SECTION("axes faster than their pulses") {
     const std::string port = "control.backend = 'stepdir'\nbackend.stepdir.";
-    CHECK(refused(port + "max_rate_hz = 50000") ==
+    CHECK(refused_machine(port + "max_rate_hz = 50000") ==
           "mill.toml:2:31: error: axis.x.velocity_mm_min = 15000 is more than axis.x.blu_um "
           "= 2.5 times backend.stepdir.max_rate_hz = 50000, which is 7500 mm/min [SC7018]\n"
           "    2 | backend.stepdir.max_rate_hz = 50000\n"
           "      |                               ^~~~~\n");
-    CHECK(refused(port + "file = ''\naxis.y.velocity_mm_min = 15001")
+    CHECK(refused_machine(port + "file = ''\naxis.y.velocity_mm_min = 15001")
               .starts_with("mill.toml:3:26: error: axis.y.velocity_mm_min = 15001 is more "
                            "than axis.y.blu_um = 2.5 times backend.stepdir.max_rate_hz = 100000, "
                            "which is 15000 mm/min [SC7018]\n"));
-    CHECK(begins_showing(refused("", {"control.backend=stepdir", "axis.z.blu_um=1"}),
+    CHECK(begins_showing(refused_machine("", {"control.backend=stepdir", "axis.z.blu_um=1"}),
                          "--set:1:15: error: axis.z.velocity_mm_min = 15000 is more... [SC7018]"));
     CHECK(
-        refused(port + "step_length_ns = 8000")
+        refused_machine(port + "step_length_ns = 8000")
             .starts_with("mill.toml:2:34: error: backend.stepdir.max_rate_hz = 100000 is "
                          "more than step_length_ns and step_space_ns leave: 95238 Hz [SC7019]\n"));
-    CHECK(refused("control.interpolation = 'm-dsm'\naxis.y.blu_um = 1")
+    CHECK(refused_machine("control.interpolation = 'm-dsm'\naxis.y.blu_um = 1")
               .starts_with("mill.toml:2:17: error: axis.y.velocity_mm_min = 15000 is more "
                            "than axis.y.blu_um = 1 times backend.stepdir.max_rate_hz = 100000, "
                            "which is 6000 mm/min [SC7018]\n"));
@@ -497,7 +485,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     const std::string odd = port + "max_rate_hz = 300000\nbackend.stepdir.step_length_ns = 500\n" +
                             "backend.stepdir.step_space_ns = 500\naxis.x.velocity_mm_min = ";
     CHECK(
-        refused(odd + "45000")
+        refused_machine(odd + "45000")
             .starts_with("mill.toml:5:26: error: axis.x.velocity_mm_min = 45000 is more "
                          "than axis.x.blu_um = 2.5 times backend.stepdir.max_rate_hz = 300000, "
                          "in whole ns a step every 3334 ns, which is 44991.001 mm/min [SC7018]\n"));
@@ -508,7 +496,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("a feed that no axis could have") {
     const std::string port = "control.backend = 'stepdir'\nlimits.feed_mm_min = ";
-    CHECK(refused(port + "15000.001") ==
+    CHECK(refused_machine(port + "15000.001") ==
           "mill.toml:2:22: error: limits.feed_mm_min = 15000.001 is more than axis.x.blu_um "
           "= 2.5 times backend.stepdir.max_rate_hz = 100000, which is 15000 mm/min [SC7090]\n"
           "    2 | limits.feed_mm_min = 15000.001\n"
@@ -517,18 +505,18 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(parsed(port + "0").limits.feed == 0);
     // The axis with the largest steps counts, of those the machine has.
     CHECK(parsed(port + "30000\naxis.y.blu_um = 5").limits.feed == 500);
-    CHECK(refused(port + "60000\n[axis.x]\n[axis.y]\nblu_um = 5")
+    CHECK(refused_machine(port + "60000\n[axis.x]\n[axis.y]\nblu_um = 5")
               .starts_with("mill.toml:2:22: error: limits.feed_mm_min = 60000 is more than "
                            "axis.y.blu_um = 5 times backend.stepdir.max_rate_hz = 100000, which is "
                            "30000 mm/min [SC7090]\n"));
-    CHECK(
-        begins_showing(refused("", {"control.interpolation=dsm", "limits.feed_mm_min=20000"}),
-                       "--set:1:20: error: limits.feed_mm_min = 20000 is more than ... [SC7090]"));
+    CHECK(begins_showing(
+        refused_machine("", {"control.interpolation=dsm", "limits.feed_mm_min=20000"}),
+        "--set:1:20: error: limits.feed_mm_min = 20000 is more than ... [SC7090]"));
     CHECK(parsed("limits.feed_mm_min = 20000").limits.feed == 20000 / 60.0);  // no pulses
     const std::string slow =
         "axis.x.velocity_mm_min = 1500\naxis.y.velocity_mm_min = 1500\n"
         "axis.z.velocity_mm_min = 1500\ncontrol.backend = 'parport'\n";
-    CHECK(refused(slow + "limits.feed_mm_min = 1501")
+    CHECK(refused_machine(slow + "limits.feed_mm_min = 1501")
               .starts_with("mill.toml:5:22: error: limits.feed_mm_min = 1501 is more than "
                            "axis.x.blu_um = 2.5 every 100 us, the shortest time between steps at "
                            "backend.parport.base_period_us = 50, which is 1500 mm/min [SC7090]\n"));
@@ -541,85 +529,89 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("axes faster than a parallel port") {
     // A step of two base periods high and one low takes three, whatever the rate.
-    CHECK(shows(refused("control.backend = 'parport'\nbackend.stepdir.step_length_ns = 60000\n"
+    CHECK(shows(
+        refused_machine("control.backend = 'parport'\nbackend.stepdir.step_length_ns = 60000\n"
                         "backend.stepdir.max_rate_hz = 14000\naxis.x.velocity_mm_min = 1500\n"
                         "axis.y.velocity_mm_min = 1000\naxis.z.velocity_mm_min = 1000"),
-                "error: axis.x.velocity_mm_min = 1500 is more than axis.x.blu_um = 2.5 "
-                "every 150 us, ... [SC7070]"));
+        "error: axis.x.velocity_mm_min = 1500 is more than axis.x.blu_um = 2.5 "
+        "every 150 us, ... [SC7070]"));
     const std::string port = "control.backend = 'parport'\nbackend.parport.base_period_us = ";
-    CHECK(refused(port + "50") ==
+    CHECK(refused_machine(port + "50") ==
           "mill.toml:2:34: error: axis.x.velocity_mm_min = 15000 is more than axis.x.blu_um "
           "= 2.5 every 100 us, the shortest time between steps at backend.parport.base_period_us = "
           "50, which is 1500 mm/min [SC7070]\n"
           "    2 | backend.parport.base_period_us = 50\n"
           "      |                                  ^~\n");
     CHECK(parsed(port + "5").parallel_port.base_period == 5e-6);
-    CHECK(refused(port + "5.1").find("every 10.2 us") != std::string::npos);
-    CHECK(shows(refused("control.backend = 'parport'\nbackend.stepdir.max_rate_hz = 50000"),
+    CHECK(refused_machine(port + "5.1").find("every 10.2 us") != std::string::npos);
+    CHECK(shows(refused_machine("control.backend = 'parport'\nbackend.stepdir.max_rate_hz = 50000"),
                 "error: ... [SC7018]"));
   }
   SECTION("pins of a parallel port that cannot do what they should") {
     const std::string port =
         "control.backend = 'parport'\nbackend.parport.base_period_us = 5\nbackend.parport.";
-    CHECK(refused(port + "x_step_pin = 14")
+    CHECK(refused_machine(port + "x_step_pin = 14")
               .starts_with("mill.toml:3:30: error: backend.parport.x_step_pin = 14 is not a "
                            "data pin: 2 to 9 [SC7071]\n"));
-    CHECK(refused(port + "enable_pin = -11")
+    CHECK(refused_machine(port + "enable_pin = -11")
               .starts_with("mill.toml:3:30: error: backend.parport.enable_pin = -11 is not an "
                            "output: 1 to 9, 14, 16, 17 [SC7071]\n"));
-    CHECK(refused(port + "limit_pin = 9")
+    CHECK(refused_machine(port + "limit_pin = 9")
               .starts_with("mill.toml:3:29: error: backend.parport.limit_pin = 9 is not an "
                            "input: 10, 11, 12, 13, 15 [SC7071]\n"));
-    CHECK(refused(port + "y_direction_pin = -2")
+    CHECK(refused_machine(port + "y_direction_pin = -2")
               .starts_with("mill.toml:3:35: error: backend.parport.y_direction_pin = -2 is "
                            "the pin of backend.parport.x_step_pin [SC7071]\n"));
-    CHECK(refused(port + "fault_pin = 10")
+    CHECK(refused_machine(port + "fault_pin = 10")
               .starts_with("mill.toml:3:29: error: backend.parport.fault_pin = 10 is the "
                            "pin of backend.parport.estop_pin [SC7071]\n"));
     CHECK(parsed(port + "x_step_pin = 0").parallel_port.step_pin[0] == 0);
     CHECK(parsed("backend.parport.x_step_pin = 14").parallel_port.step_pin[0] == 14);
   }
   SECTION("a key given twice") {
-    CHECK(refused("[control]\nperiod_ms = 1\nperiod_ms = 2")
+    CHECK(refused_machine("[control]\nperiod_ms = 1\nperiod_ms = 2")
               .starts_with("mill.toml:3:13: error: 'period_ms' is given twice [SC7012]\n"));
-    CHECK(refused("control.period_ms = 1\ncontrol.period_ms.x = 2")
+    CHECK(refused_machine("control.period_ms = 1\ncontrol.period_ms.x = 2")
               .starts_with("mill.toml:2:9: error: 'period_ms' is given twice [SC7012]\n"));
   }
 }
 
 TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
-  CHECK(refused("", {"control.period_ms=0"}) ==
+  CHECK(refused_machine("", {"control.period_ms=0"}) ==
         "--set:1:19: error: control.period_ms must be at least 0.001 and at most 1000, not "
         "0 [SC7005]\n"
         "    1 | control.period_ms=0\n"
         "      |                   ^\n");
-  CHECK(refused("", {"control.perid_ms=1"})
+  CHECK(refused_machine("", {"control.perid_ms=1"})
             .starts_with("--set:1:1: error: unknown key 'control.perid_ms'; did you mean "
                          "'control.period_ms'? [SC7001]\n"));
-  CHECK(refused("[axis.x]", {"axis.z.blu_um=1"})
+  CHECK(refused_machine("[axis.x]", {"axis.z.blu_um=1"})
             .starts_with("--set:1:1: error: the machine has no axis z [SC7007]\n"));
-  CHECK(refused("", {"control.period_ms"})
+  CHECK(refused_machine("", {"control.period_ms"})
             .starts_with("--set:1:18: error: a setting reads KEY=VALUE [SC7011]\n"));
-  CHECK(begins_showing(refused("", {"control.period_ms="}), "--set:1:19: error: ... [SC7011]"));
-  CHECK(begins_showing(refused("", {"control.backend="}), "--set:1:17: error: ... [SC7011]"));
-  CHECK(begins_showing(refused("", {"backend.parport.device"}), "--set:1:23: error: ... [SC7011]"));
+  CHECK(begins_showing(refused_machine("", {"control.period_ms="}),
+                       "--set:1:19: error: ... [SC7011]"));
+  CHECK(
+      begins_showing(refused_machine("", {"control.backend="}), "--set:1:17: error: ... [SC7011]"));
+  CHECK(begins_showing(refused_machine("", {"backend.parport.device"}),
+                       "--set:1:23: error: ... [SC7011]"));
   CHECK(parsed("", {"backend.parport.device="}).parallel_port.device.empty());  // a text may be
   CHECK(parsed("", {"backend.stepdir.file = "}).step_port.file.empty());
-  CHECK(begins_showing(refused("", {"=3"}), "--set:1:2: error: ... [SC7011]"));
-  CHECK(refused("", {"name=mill\x80"})
+  CHECK(begins_showing(refused_machine("", {"=3"}), "--set:1:2: error: ... [SC7011]"));
+  CHECK(refused_machine("", {"name=mill\x80"})
             .starts_with("--set:1:6: error: not TOML: a value that is not UTF-8 [SC7002]\n"));
   CHECK(
-      refused("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
+      refused_machine("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
           .starts_with("--set:1:15: error: axis.x.blu_um takes a number, not a string [SC7004]\n"));
-  CHECK(begins_showing(refused("", {"control.period_ms=3", "control.servo_period_ms=2"}),
+  CHECK(begins_showing(refused_machine("", {"control.period_ms=3", "control.servo_period_ms=2"}),
                        "--set:1:19: error: ... [SC7010]"));
 }
 
 TEST_CASE("all errors of a file and of settings are reported at once, by their places",
           "[hal][machine]") {
-  CHECK(refused("[spindle]\nmax_rpm = -1\n[control]\nperiod_ms = \"a\"\nbackend = 'no'\n"
-                "[axis.x]\nmin_mm = 20\nmax_mm = 10\n",
-                {"limits.feed_mm_min=x", "spindle.min_rpm=-1"}) ==
+  CHECK(refused_machine("[spindle]\nmax_rpm = -1\n[control]\nperiod_ms = \"a\"\nbackend = 'no'\n"
+                        "[axis.x]\nmin_mm = 20\nmax_mm = 10\n",
+                        {"limits.feed_mm_min=x", "spindle.min_rpm=-1"}) ==
         "mill.toml:2:11: error: spindle.max_rpm must be 0, or at least 0.001 and at most "
         "1e+06, not -1 [SC7005]\n"
         "    2 | max_rpm = -1\n"

@@ -14,16 +14,10 @@ namespace softcnc::hal {
 namespace {
 
 using test::Folder;
+using test::kSource;
+using test::loaded;
 using test::Names;
-using Settings = std::vector<std::string>;
-
-const std::string kSource = SOFTCNC_SOURCE_DIR;
-
-Machine loaded(const std::string& file, const Settings& settings = {}) {
-  const auto machine = load_machine(file, settings);
-  if (!machine) FAIL(render(machine.error().front()));
-  return *machine;
-}
+using test::Settings;
 
 std::string first_error(const std::string& text, const Settings& settings = {}) {
   const auto machine = parse_machine(text, "mill.toml", settings);

@@ -20,6 +20,7 @@ namespace {
 
 using softcnc::test::PortRecord;
 using softcnc::test::RecordedPort;
+using test::setpoint_at;
 
 /// Plays words as they come, a tick each, without a clock.
 class PromptPlayer final : public PortPlayer {
@@ -61,12 +62,6 @@ std::unique_ptr<Backend> open_recorded(const Machine& machine, PortRecord& recor
                                    std::make_unique<PortEdges>(machine, std::move(player)));
 }
 
-Setpoint at(const AxisVector& place) {
-  Setpoint setpoint;
-  setpoint.position = place;
-  return setpoint;
-}
-
 /// The edges of the lines on pins 2 to 7, by ticks of so many ns.
 std::vector<SignalEdge> edges_in(const PortRecord& record, std::int64_t base) {
   std::vector<SignalEdge> edges;
@@ -106,13 +101,13 @@ TEST_CASE("what is written to a port keeps the driver's rules and the counts", "
   PortRecord record;
   auto backend = open_recorded(machine, record);
   AxisVector place = AxisVector::Zero();
-  backend->exchange(at(place));
+  backend->exchange(setpoint_at(place));
   const AxisVector speeds[] = {
       {0.017, -0.011, 0.0003}, {-0.017, 0.017, 0}, {0, 0, 0}, {0.0171, -0.0172, 0.009}};
   for (const AxisVector& speed : speeds)
     for (int i = 0; i < 50; ++i) {
       place += speed;
-      REQUIRE(backend->exchange(at(place)).alarm == Alarm::none);
+      REQUIRE(backend->exchange(setpoint_at(place)).alarm == Alarm::none);
     }
   REQUIRE(backend->finish());
   PulseRules rules(step_timing(machine.step_port));
@@ -130,8 +125,8 @@ TEST_CASE("the port is enabled, moved, and left at rest", "[hal][parport]") {
   machine.parallel_port.step_pin[1] = -4;
   PortRecord record;
   auto backend = open_recorded(machine, record);
-  backend->exchange(at({0, 0, 0}));
-  backend->exchange(at({0.0025, 0.0025, 0}));
+  backend->exchange(setpoint_at({0, 0, 0}));
+  backend->exchange(setpoint_at({0.0025, 0.0025, 0}));
   REQUIRE(backend->finish());
   using Write = PortRecord::Write;
   const std::vector<Write> expected{
@@ -147,7 +142,7 @@ TEST_CASE("the charge pump turns every base period, until the end", "[hal][parpo
   machine.parallel_port.charge_pump_pin = 9;
   PortRecord record;
   auto backend = open_recorded(machine, record);
-  for (int i = 0; i < 10; ++i) backend->exchange(at({0, 0, 0}));
+  for (int i = 0; i < 10; ++i) backend->exchange(setpoint_at({0, 0, 0}));
   CHECK(record.tick == 9 * 20);
   CHECK(record.writes.size() == 9 * 20 + 1);
   for (std::size_t i = 1; i < record.writes.size(); ++i)
@@ -173,19 +168,19 @@ TEST_CASE("inputs are understood, inverted or not", "[hal][parport]") {
   PortRecord record;
   record.status = quiet;
   auto backend = open_recorded(machine, record);
-  backend->exchange(at({0, 0, 0}));
-  CHECK(backend->exchange(at({0.01, 0, 0})).alarm == Alarm::none);
+  backend->exchange(setpoint_at({0, 0, 0}));
+  CHECK(backend->exchange(setpoint_at({0.01, 0, 0})).alarm == Alarm::none);
   record.status = quiet | 0x40;
-  CHECK(backend->exchange(at({0.02, 0, 0})).alarm == Alarm::emergency_stop);
+  CHECK(backend->exchange(setpoint_at({0.02, 0, 0})).alarm == Alarm::emergency_stop);
 }
 
 TEST_CASE("a port that fails is reported, and so is every other alarm", "[hal][parport][code]") {
   const Machine machine = on_port();
   PortRecord record;
   auto backend = open_recorded(machine, record);
-  backend->exchange(at({0, 0, 0}));
+  backend->exchange(setpoint_at({0, 0, 0}));
   record.fails = true;
-  CHECK(backend->exchange(at({0.01, 0, 0})).alarm == Alarm::port);
+  CHECK(backend->exchange(setpoint_at({0.01, 0, 0})).alarm == Alarm::port);
   const PortOutput output(std::make_unique<RecordedPort>(record), machine);
   CHECK(render(output.diagnostic(Alarm::port)) == "port: error: it was told to [SC6074]\n");
   const auto told = [&](Alarm alarm) {
@@ -255,8 +250,8 @@ TEST_CASE("ticks that are late never break a rule of the driver", "[hal][parport
 TEST_CASE("pulses of a machine without its port are counted", "[hal][parport]") {
   auto backend = open_backend(on_port());
   REQUIRE(backend);
-  (*backend)->exchange(at({0, 0, 0}));
-  const Feedback feedback = (*backend)->exchange(at({0.0101, 0, 0}));
+  (*backend)->exchange(setpoint_at({0, 0, 0}));
+  const Feedback feedback = (*backend)->exchange(setpoint_at({0.0101, 0, 0}));
   CHECK(feedback.position.x() == Approx(0.01));
   CHECK((*backend)->finish());
 }

@@ -13,23 +13,12 @@ namespace softcnc::hal {
 namespace {
 
 using softcnc::shows;
+using test::all_of;
 using test::Folder;
-using Settings = std::vector<std::string>;
+using test::loaded;
+using test::Settings;
 
-std::string all_of(const std::vector<Diagnostic>& faults) {
-  std::string text;
-  for (const Diagnostic& fault : faults) text += render(fault);
-  return text;
-}
-
-Machine loaded(const std::string& file, const Settings& settings = {}) {
-  const auto machine = load_machine(file, settings);
-  INFO((machine ? std::string() : all_of(machine.error())));
-  REQUIRE(machine);
-  return *machine;
-}
-
-std::string refused(const std::string& file, const Settings& settings = {}) {
+std::string refused_file(const std::string& file, const Settings& settings = {}) {
   const auto machine = load_machine(file, settings);
   REQUIRE_FALSE(machine);
   return all_of(machine.error());
@@ -124,7 +113,7 @@ TEST_CASE("settings choose a plant, change it, and remove it", "[hal][machine][p
             .plant.screws[2]
             .backlash == 0.003);
   CHECK(loaded("", {"backend.sim.plant=" + shop.worn}).plant.given);
-  CHECK(shows(refused("", {"plant.axis.x.blu_um=1"}),
+  CHECK(shows(refused_file("", {"plant.axis.x.blu_um=1"}),
               "--set:1:1: error: the plant has no axis x [SC7007]"));
 }
 
@@ -157,32 +146,34 @@ TEST_CASE("what is wrong with a plant has its place in its own file", "[hal][mac
   const Shop shop;
   SECTION("a key") {
     test::write(shop.worn, "[axis.x]\nbaclash_um = 1\n[axis.y]\n");
-    CHECK(shows(refused(shop.mill), shop.worn + ":2:1: error: unknown key 'axis.x.baclash_um'"));
+    CHECK(
+        shows(refused_file(shop.mill), shop.worn + ":2:1: error: unknown key 'axis.x.baclash_um'"));
   }
   SECTION("an axis that is missing") {
     test::write(shop.worn, "[axis.x]\n");
-    CHECK(shows(refused(shop.mill), shop.mill + ":2:9: error: the plant has no axis y [SC7051]"));
+    CHECK(shows(refused_file(shop.mill),
+                shop.mill + ":2:9: error: the plant has no axis y [SC7051]"));
   }
   SECTION("another BLU") {
     test::write(shop.worn, "[axis.x]\n[axis.y]\nblu_um = 1\n");
-    CHECK(shows(refused(shop.mill), shop.worn + ":3:10: error: plant.axis.y.blu_um = 1 is not "
-                                                "axis.y.blu_um = 2.5 [SC7051]"));
+    CHECK(shows(refused_file(shop.mill), shop.worn + ":3:10: error: plant.axis.y.blu_um = 1 is not "
+                                                     "axis.y.blu_um = 2.5 [SC7051]"));
   }
   SECTION("a plant of its own") {
     test::write(shop.worn, "backend.sim.plant = \"third.toml\"\n[axis.x]\n[axis.y]\n");
-    CHECK(shows(refused(shop.mill),
+    CHECK(shows(refused_file(shop.mill),
                 shop.worn + ":1:21: error: backend.sim.plant = 'third.toml' in a plant [SC7054]"));
   }
   SECTION("that there is none") {
     std::filesystem::remove(shop.worn);
-    CHECK(shows(refused(shop.mill), shop.worn + ": error: cannot be read: "));
+    CHECK(shows(refused_file(shop.mill), shop.worn + ": error: cannot be read: "));
   }
   SECTION("after what is wrong with the machine") {
     test::write(shop.worn, "[axis.x]\nblu_um = 0\n");
     test::write(shop.mill,
                 "[axis.x]\n[axis.y]\n[backend.sim]\nplant = \"worn.toml\"\n"
                 "[spindle]\nmin_rpm = -1\n");
-    const std::string all = refused(shop.mill);
+    const std::string all = refused_file(shop.mill);
     CHECK(all.starts_with(shop.mill + ":6:11: "));
     CHECK(shows(all, shop.worn + ":2:10: error: "));
   }

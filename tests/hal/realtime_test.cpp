@@ -19,7 +19,7 @@ TEST_CASE("a period on the simulated mill with its trace allocates nothing", "[h
   REQUIRE(trace);
   std::vector<double> values((*mill)->columns().size());
   Setpoint setpoint;
-  CHECK(test::allocations_during([&] {
+  CHECK(softcnc::test::allocations_during([&] {
           for (int i = 0; i < 20'000; ++i) {
             setpoint.period = i;
             setpoint.position[0] = i * 0.01;
@@ -38,7 +38,7 @@ TEST_CASE("a period with compensation allocates nothing", "[hal][realtime]") {
   REQUIRE(backend);
   std::vector<FinePoint> fine(4);
   Setpoint setpoint;
-  CHECK(test::allocations_during([&] {
+  CHECK(softcnc::test::allocations_during([&] {
           for (int i = 0; i < 20'000; ++i) {
             setpoint.position[0] = std::abs(i % 1000 - 500) * 0.01;
             fine.assign(4, {0, setpoint.position});
@@ -55,7 +55,7 @@ TEST_CASE("a period of rows for HAL allocates nothing", "[hal][realtime]") {
   const auto rows = open_backend(machine);
   REQUIRE(rows);
   Setpoint setpoint;
-  CHECK(test::allocations_during([&] {
+  CHECK(softcnc::test::allocations_during([&] {
           for (int i = 0; i < 20'000; ++i) {
             setpoint.position[0] = i / 3.0;
             (*rows)->exchange(setpoint);

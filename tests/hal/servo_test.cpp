@@ -10,11 +10,15 @@
 #include <numbers>
 #include <vector>
 
+#include "support_hal.hpp"
+
 namespace softcnc::hal {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
-constexpr int kLoops = 4;         // of the servo in a period
+using test::kPeriod;
+using test::largest_difference;
+
+constexpr int kLoops = 4;  // of the servo in a period
 
 /// The retrofitted mill's axis without friction that is not linear.
 Axis smooth_axis() {
@@ -114,13 +118,6 @@ std::vector<double> simulate(const Axis& axis, const std::function<double(double
     positions.push_back(servo.position());
   }
   return positions;
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  REQUIRE(a.size() == b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 /// A step whose pulses come within the first period, as pulses must.

@@ -47,7 +47,7 @@ std::string told(const StateOrErrors& state) {
   return text;
 }
 
-std::string refused(const std::string& text) {
+std::string refused_state(const std::string& text) {
   return told(parse_state("schema = 1\n" + text, "mill.state"));
 }
 
@@ -127,9 +127,10 @@ TEST_CASE("further work systems and reference points stand in a state file if th
 
 TEST_CASE("names of further work systems that are none are refused", "[hal][state]") {
   for (const char* name : {"G54.1 P0", "G54.1 P301", "G54.1", "G54.1 P", "G54.1 P03"})
-    CHECK(refused("[work.\"" + std::string(name) + "\"]\n")
+    CHECK(refused_state("[work.\"" + std::string(name) + "\"]\n")
               .starts_with("mill.state:2:7: error: unknown key"));
-  CHECK(shows(refused("active = \"G54.1 P301\"\n"), "or 'G54.1 P1' to 'G54.1 P300' [SC7006]"));
+  CHECK(
+      shows(refused_state("active = \"G54.1 P301\"\n"), "or 'G54.1 P1' to 'G54.1 P300' [SC7006]"));
 }
 
 TEST_CASE("any state reads back bit for bit, and is the same text again", "[hal][state]") {
@@ -168,45 +169,48 @@ TEST_CASE("named globals are numbers of the state", "[hal][state]") {
 }
 
 TEST_CASE("a name that is no global is refused with its place", "[hal][state]") {
-  CHECK(begins_showing(refused("[parameter]\ntd = 3\n"),
+  CHECK(begins_showing(refused_state("[parameter]\ntd = 3\n"),
                        "mill.state:3:1: error: unknown key 'parameter.td': ... [SC7015]"));
-  CHECK(begins_showing(refused("[parameter]\n_ = 3\n"), "mill.state:3:1: error: ... [SC7015]"));
   CHECK(
-      begins_showing(refused("[parameter]\n\"_a>\" = 3\n"), "mill.state:3:1: error: ... [SC7015]"));
-  CHECK(begins_showing(refused("[parameter]\n_td = \"a\"\n"),
+      begins_showing(refused_state("[parameter]\n_ = 3\n"), "mill.state:3:1: error: ... [SC7015]"));
+  CHECK(begins_showing(refused_state("[parameter]\n\"_a>\" = 3\n"),
+                       "mill.state:3:1: error: ... [SC7015]"));
+  CHECK(begins_showing(refused_state("[parameter]\n_td = \"a\"\n"),
                        "mill.state:3:7: error: parameter._td takes a number [SC7004]"));
-  CHECK(begins_showing(refused("[parameter]\n_td = inf\n"), "mill.state:3:7: error: ... [SC7005]"));
-  CHECK(begins_showing(refused("[parameter]\n_td = 1\n_TD = 2\n"),
+  CHECK(begins_showing(refused_state("[parameter]\n_td = inf\n"),
+                       "mill.state:3:7: error: ... [SC7005]"));
+  CHECK(begins_showing(refused_state("[parameter]\n_td = 1\n_TD = 2\n"),
                        "mill.state:4:1: error: '_td' is given twice [SC7012]"));
 }
 
 TEST_CASE("what is wrong with a state file is reported with its place", "[hal][state]") {
-  CHECK(refused("[work.G54]\nx = 3\n") ==
+  CHECK(refused_state("[work.G54]\nx = 3\n") ==
         "mill.state:3:1: error: unknown key 'work.G54.x' [SC7015]\n"
         "    3 | x = 3\n      | ^\n");
-  CHECK(refused("[parameter]\n30 = 3\n")
+  CHECK(refused_state("[parameter]\n30 = 3\n")
             .starts_with("mill.state:3:1: error: unknown key 'parameter.30': a parameter is a "
                          "number from 31 to 10999, or the name of a global variable, which begins "
                          "with '_' [SC7015]\n"));
-  CHECK(refused("[work.G60]\n")
+  CHECK(refused_state("[work.G60]\n")
             .starts_with("mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"));
-  CHECK(refused("[g28]\nx_mm = \"a\"\n")
+  CHECK(refused_state("[g28]\nx_mm = \"a\"\n")
             .starts_with("mill.state:3:8: error: g28.x_mm takes a number [SC7004]\n"));
-  CHECK(
-      refused("tool = 3\n").starts_with("mill.state:2:8: error: tool must be a table [SC7004]\n"));
-  CHECK(refused("[g28]\nx_mm = 1e7\n")
+  CHECK(refused_state("tool = 3\n")
+            .starts_with("mill.state:2:8: error: tool must be a table [SC7004]\n"));
+  CHECK(refused_state("[g28]\nx_mm = 1e7\n")
             .starts_with("mill.state:3:8: error: g28.x_mm must be from -1e+06 to 1e+06, not 1e+07 "
                          "[SC7005]\n"));
-  CHECK(begins_showing(refused("[parameter]\n31 = nan\n"), "mill.state:3:6: error: ... [SC7005]"));
-  CHECK(begins_showing(refused("active = \"G60\"\n"),
+  CHECK(begins_showing(refused_state("[parameter]\n31 = nan\n"),
+                       "mill.state:3:6: error: ... [SC7005]"));
+  CHECK(begins_showing(refused_state("active = \"G60\"\n"),
                        "mill.state:2:10: error: active takes one of 'G54', 'G55', ... [SC7006]"));
   CHECK(
-      refused("g92_in_force = 1\n")
+      refused_state("g92_in_force = 1\n")
           .starts_with("mill.state:2:16: error: g92_in_force takes one of 'no', 'yes' [SC7004]\n"));
   CHECK(begins_showing(
-      refused("[g28\n"),
+      refused_state("[g28\n"),
       "mill.state:2:5: error: not TOML: table header: expected ']', saw ... [SC7013]"));
-  CHECK(shows(refused("[g28]\nx_mm = 1\nx_mm = 2\n"), "error: ... [SC7012]"));
+  CHECK(shows(refused_state("[g28]\nx_mm = 1\nx_mm = 2\n"), "error: ... [SC7012]"));
   CHECK(told(parse_state("", "mill.state")) ==
         "mill.state: error: is not a state file of softcnc: it names no schema [SC7016]\n");
   CHECK(told(parse_state("schema = 2\n", "mill.state"))
@@ -217,7 +221,7 @@ TEST_CASE("what is wrong with a state file is reported with its place", "[hal][s
 }
 
 TEST_CASE("all errors of a state file are reported, by their lines", "[hal][state]") {
-  CHECK(refused("[work.G54]\ny = 3\nx_mm = 1\nz_mm = 1e7\n[g28]\nx_mm = \"a\"\n") ==
+  CHECK(refused_state("[work.G54]\ny = 3\nx_mm = 1\nz_mm = 1e7\n[g28]\nx_mm = \"a\"\n") ==
         "mill.state:3:1: error: unknown key 'work.G54.y' [SC7015]\n"
         "    3 | y = 3\n      | ^\n"
         "mill.state:5:8: error: work.G54.z_mm must be from -1e+06 to 1e+06, not 1e+07 [SC7005]\n"
@@ -227,7 +231,7 @@ TEST_CASE("all errors of a state file are reported, by their lines", "[hal][stat
 }
 
 TEST_CASE("what stands in a table that is refused is not reported as well", "[hal][state]") {
-  CHECK(refused("[work.G60]\nx_mm = 3\ny = 4\n[work.G600]\n[g92]\nq = 1\n") ==
+  CHECK(refused_state("[work.G60]\nx_mm = 3\ny = 4\n[work.G600]\n[g92]\nq = 1\n") ==
         "mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"
         "    2 | [work.G60]\n      |       ^~~\n"
         "mill.state:5:7: error: unknown key 'work.G600' [SC7015]\n"

@@ -8,11 +8,13 @@
 #include "hal/signals/pulse_rules.hpp"
 #include "support/property.hpp"
 #include "support/random_nurbs.hpp"
+#include "support_hal.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-using test::Random;
+using softcnc::test::Random;
+using test::step;
 
 /// The drivers of which the timing is known: length, space, interval, set-up, hold (ns).
 constexpr StepTiming kGecko201{500, 4000, 4500, 1000, 20000};
@@ -22,9 +24,6 @@ constexpr StepTiming kXylotex{2000, 1000, 3000, 200, 200};
 /// One that takes the direction at the very instant of the step.
 constexpr StepTiming kAtOnce{500, 500, 1000, 0, 0};
 
-SignalEdge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
-  return {time, axis, Wire::step, high};
-}
 SignalEdge turn(std::int64_t time, bool high, std::uint8_t axis = 0) {
   return {time, axis, Wire::direction, high};
 }
@@ -157,7 +156,7 @@ TEST_CASE("what is less than a pulse is carried to later periods", "[hal][pulse]
 TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][property]") {
   const StepTiming timing = GENERATE(kGecko201, kGecko540, kSherline, kXylotex, kAtOnce);
   constexpr double kBlu = 0.0025;
-  constexpr std::int64_t kPeriod = 1'000'000;                             // ns
+  constexpr std::int64_t kPeriodNs = 1'000'000;
   const double most = kBlu * 1e6 / static_cast<double>(timing.interval);  // mm a period
   Random random(5);
   StepEdges edges(timing);
@@ -165,19 +164,19 @@ TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][
   std::array<double, kAxes> at{}, speed{};
   std::array<FinePulses, kAxes> fine{FinePulses(kBlu, 0), FinePulses(kBlu, 0), FinePulses(kBlu, 0)};
   std::int64_t latest = 0;
-  for (std::int64_t period = 0; period < 20'000 / test::kPart; ++period) {
+  for (std::int64_t period = 0; period < 20'000 / softcnc::test::kPart; ++period) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       // Ramps, holds, and now and then a jump to the other direction at full speed.
       if (random() < 0.01) speed[i] = random() < 0.3 ? 0 : random(-most, most);
       speed[i] = std::clamp(speed[i] + random(-0.02, 0.02) * most, -most, most);
       at[i] += speed[i];
       fine[i].move(at[i], [&](double part, int direction) {
-        const auto offset = std::llround(part * static_cast<double>(kPeriod));
-        edges.add(static_cast<int>(i), period * kPeriod + offset, direction);
+        const auto offset = std::llround(part * static_cast<double>(kPeriodNs));
+        edges.add(static_cast<int>(i), period * kPeriodNs + offset, direction);
       });
     }
-    rules.read(edges.release((period + 1) * kPeriod));
-    latest = std::max(latest, edges.end() - (period + 1) * kPeriod);
+    rules.read(edges.release((period + 1) * kPeriodNs));
+    latest = std::max(latest, edges.end() - (period + 1) * kPeriodNs);
   }
   rules.read(edges.release_all());
   CHECK(rules.broken().value_or("none") == "none");
@@ -185,9 +184,9 @@ TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][
     CHECK(rules.counts()[i] == Counts(kBlu)(at[i]));
     CHECK(rules.counts()[i] == fine[i].counts());
   }
-  CHECK(rules.steps() > 100'000 / test::kPart);
+  CHECK(rules.steps() > 100'000 / softcnc::test::kPart);
   CHECK(rules.shortest_interval() >= timing.interval);
-  CHECK(latest < kPeriod);  // a jump of direction at full speed is caught up with
+  CHECK(latest < kPeriodNs);  // a jump of direction at full speed is caught up with
 }
 
 }  // namespace softcnc::hal

@@ -15,6 +15,8 @@
 namespace softcnc::hal {
 namespace {
 
+using test::setpoint_at;
+
 Machine stepper(const std::string& file) {
   Machine machine;
   machine.control.backend = BackendKind::stepdir;
@@ -22,17 +24,11 @@ Machine stepper(const std::string& file) {
   return machine;
 }
 
-Setpoint at(double x, double y, double z) {
-  Setpoint setpoint;
-  setpoint.position = {x, y, z};
-  return setpoint;
-}
-
 /// Moves by the given speeds, mm per period, each for as many periods.
 void drive(Backend& backend, AxisVector& place, const AxisVector& speed, int periods) {
   for (int i = 0; i < periods; ++i) {
     place += speed;
-    CHECK(backend.exchange(at(place.x(), place.y(), place.z())).alarm == Alarm::none);
+    CHECK(backend.exchange(setpoint_at(place.x(), place.y(), place.z())).alarm == Alarm::none);
   }
 }
 
@@ -45,7 +41,7 @@ TEST_CASE("the file of edges keeps the driver's rules and the commanded counts",
   const Machine machine = stepper(file);
   auto backend = StepDir::open(machine);
   REQUIRE(backend);
-  (*backend)->exchange(at(1, 2, 3));
+  (*backend)->exchange(setpoint_at(1, 2, 3));
   AxisVector place(1, 2, 3);
   drive(**backend, place, {0.25, -0.1, 0}, 40);
   drive(**backend, place, {-0.25, 0.03337, 0.0001}, 60);
@@ -84,9 +80,9 @@ TEST_CASE("at the fastest speed that is accepted no pulse is late", "[hal][pulse
     const auto interval = static_cast<double>(step_interval(machine.step_port));  // ns
     auto backend = StepDir::open(machine);
     REQUIRE(backend);
-    (*backend)->exchange(at(0, 0, 0));
+    (*backend)->exchange(setpoint_at(0, 0, 0));
     for (int period = 1; period <= 50; ++period)
-      (*backend)->exchange(at(period * 1e6 / interval * 0.001, 0, 0));
+      (*backend)->exchange(setpoint_at(period * 1e6 / interval * 0.001, 0, 0));
     REQUIRE((*backend)->finish());
     const auto edges = read_edges(test::read(machine.step_port.file));
     REQUIRE(edges);
@@ -108,8 +104,9 @@ TEST_CASE("both forms of the file hold the same edges", "[hal][pulse]") {
   for (const char* name : {"steps.vcd", "steps.edges"}) {
     auto backend = StepDir::open(stepper(folder / name));
     REQUIRE(backend);
-    (*backend)->exchange(at(0, 0, 0));
-    for (int i = 1; i <= 50; ++i) (*backend)->exchange(at(0.1 * i, -0.05 * i, 0.2 * (i % 2)));
+    (*backend)->exchange(setpoint_at(0, 0, 0));
+    for (int i = 1; i <= 50; ++i)
+      (*backend)->exchange(setpoint_at(0.1 * i, -0.05 * i, 0.2 * (i % 2)));
     REQUIRE((*backend)->finish());
     forms.push_back(read_edges(test::read(folder / name)).value());
   }
@@ -121,8 +118,8 @@ TEST_CASE("a waveform viewer finds every line by name", "[hal][pulse]") {
   const test::Folder folder;
   auto backend = StepDir::open(stepper(folder / "steps.vcd"));
   REQUIRE(backend);
-  (*backend)->exchange(at(0, 0, 0));
-  (*backend)->exchange(at(0.0025, 0, -0.0025));
+  (*backend)->exchange(setpoint_at(0, 0, 0));
+  (*backend)->exchange(setpoint_at(0.0025, 0, -0.0025));
   REQUIRE((*backend)->finish());
   CHECK(test::read(folder / "steps.vcd") ==
         "$timescale 1 ns $end\n"
@@ -171,7 +168,7 @@ TEST_CASE("a full disk is an alarm of the port, and the file reports it", "[hal]
   REQUIRE(backend);
   Alarm alarm = Alarm::none;
   for (int i = 0; i < 2000 && alarm == Alarm::none; ++i)
-    alarm = (*backend)->exchange(at(0.25 * i, 0.25 * i, 0)).alarm;
+    alarm = (*backend)->exchange(setpoint_at(0.25 * i, 0.25 * i, 0)).alarm;
   CHECK(alarm == Alarm::port);
   const Status finished = (*backend)->finish();
   REQUIRE_FALSE(finished);
@@ -181,8 +178,8 @@ TEST_CASE("a full disk is an alarm of the port, and the file reports it", "[hal]
 TEST_CASE("a backend without a file counts all the same", "[hal][pulse]") {
   auto backend = StepDir::open(stepper(""));
   REQUIRE(backend);
-  (*backend)->exchange(at(0, 0, 0));
-  const Feedback feedback = (*backend)->exchange(at(0.0101, -0.0101, 0));
+  (*backend)->exchange(setpoint_at(0, 0, 0));
+  const Feedback feedback = (*backend)->exchange(setpoint_at(0.0101, -0.0101, 0));
   CHECK((feedback.position - AxisVector(0.01, -0.01, 0)).norm() < 1e-15);
   CHECK((*backend)->finish());
 }

@@ -31,7 +31,7 @@ class Elsewhere {
   std::string before_ = had_ ? std::getenv("TMPDIR") : "";
 };
 
-std::string all_of(const TemporaryFile& file) {
+std::string whole_text(const TemporaryFile& file) {
   std::string text;
   REQUIRE(file.for_each_piece([&](std::string_view piece) -> Status {
     text += piece;
@@ -57,8 +57,8 @@ TEST_CASE("a temporary file has no name at any time, and holds what is added", "
   REQUIRE(file->add(text));
   REQUIRE(file->add("end"));
   CHECK(test::names_in(folder.path()).empty());
-  CHECK(all_of(*file) == text + "end");
-  CHECK(all_of(*file) == text + "end");
+  CHECK(whole_text(*file) == text + "end");
+  CHECK(whole_text(*file) == text + "end");
 }
 
 TEST_CASE("a zip in a file without a name is that in a file with one", "[hal][temporary][zip]") {
@@ -72,7 +72,7 @@ TEST_CASE("a zip in a file without a name is that in a file with one", "[hal][te
   CHECK(test::names_in(folder.path()).empty());
   ZipWriter with_name(named / "x.zip");
   fill(with_name);
-  CHECK(all_of(*file) == test::read(named / "x.zip"));
+  CHECK(whole_text(*file) == test::read(named / "x.zip"));
   CHECK(test::names_in(named.path()) == test::Names{"x.zip"});
   const auto reader = ZipReader::open(named / "x.zip");
   REQUIRE(reader);

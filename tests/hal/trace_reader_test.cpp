@@ -80,7 +80,7 @@ Diagnostic problem(const std::string& file) {
   return {};
 }
 
-const std::string kHead = "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit,x_mm,feed_mm_s\n";
+const std::string kTraceHead = "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit,x_mm,feed_mm_s\n";
 const std::string kRow = "0,1,1,0,0,1000,stop,0,100\n";
 
 }  // namespace
@@ -155,7 +155,7 @@ TEST_CASE("comments are read wherever they stand", "[hal][trace]") {
   const test::Folder folder;
   const std::string file = folder / "t.csv";
   const std::string comments = "# schema: softcnc-trace 1\n# period_ms: 0.7\n# program: -\n";
-  test::write(file, comments + kHead + kRow + "# program: cc33\n# anything\n");
+  test::write(file, comments + kTraceHead + kRow + "# program: cc33\n# anything\n");
   const auto reader = TraceReader::open(file);
   REQUIRE(reader);
   CHECK((*reader)->comment().schema == 1);
@@ -183,20 +183,20 @@ TEST_CASE("lines may end as those of Windows do", "[hal][trace]") {
 TEST_CASE("a wrong value of a CSV is reported with its place", "[hal][trace][code]") {
   const test::Folder folder;
   const std::string file = folder / "t.csv";
-  test::write(file, kHead + "# a comment\n" + kRow + "0.001,1,1,0,zero,1000,stop,0,100\n");
+  test::write(file, kTraceHead + "# a comment\n" + kRow + "0.001,1,1,0,zero,1000,stop,0,100\n");
   const Diagnostic number = problem(file);
   CHECK(render(number) == file +
                               ":4:13: error: 'zero' is no number, in the column v_mm_s [SC6082]\n"
                               "    4 | 0.001,1,1,0,zero,1000,stop,0,100\n"
                               "      |             ^~~~\n");
   CHECK(exit_status(number) == 5);
-  test::write(file, kHead + "0,1,1,0,0,1000,sometimes,0,100\n");
+  test::write(file, kTraceHead + "0,1,1,0,0,1000,sometimes,0,100\n");
   CHECK(problem(file).message == "'sometimes' is no limit, in the column limit");
-  test::write(file, kHead + "0,1,1,0,0,1000,7,0,100\n");
+  test::write(file, kTraceHead + "0,1,1,0,0,1000,7,0,100\n");
   CHECK(problem(file).message == "'7' is no limit, in the column limit");
-  test::write(file, kHead + "0,1,1,0,feed,1000,feed,0,100\n");
+  test::write(file, kTraceHead + "0,1,1,0,feed,1000,feed,0,100\n");
   CHECK(problem(file).message == "'feed' is no number, in the column v_mm_s");
-  test::write(file, kHead + "0,1,1,0,,1000,feed,0,100\n");
+  test::write(file, kTraceHead + "0,1,1,0,,1000,feed,0,100\n");
   CHECK(problem(file).message == "'' is no number, in the column v_mm_s");
 }
 
@@ -208,13 +208,13 @@ TEST_CASE("a damaged CSV is reported with its line", "[hal][trace][code]") {
     return render(problem(file));
   };
   CHECK(shown("") == file + ": error: has no names of columns [SC6082]\n");
-  CHECK(shown(kHead + kRow + "1,2,3\n") ==
+  CHECK(shown(kTraceHead + kRow + "1,2,3\n") ==
         file + ":3:1: error: has 3 values, and there are 9 columns [SC6082]\n");
-  CHECK(shown(kHead + "0,1,1,0,0,1000,stop,0,100,7\n") ==
+  CHECK(shown(kTraceHead + "0,1,1,0,0,1000,stop,0,100,7\n") ==
         file + ":2:1: error: has 10 values, and there are 9 columns [SC6082]\n");
-  CHECK(shown(kHead + kRow + "0.001,1,1") ==
+  CHECK(shown(kTraceHead + kRow + "0.001,1,1") ==
         file + ":3:1: error: not whole: it ends within a line [SC6082]\n");
-  CHECK(shown(kHead + kRow + std::string(70'000, '1') + "\n") ==
+  CHECK(shown(kTraceHead + kRow + std::string(70'000, '1') + "\n") ==
         file + ":3:1: error: longer than 65536 bytes [SC6083]\n");
 }
 

@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zstd.h>
 
 #include <bit>
 #include <catch2/catch.hpp>
@@ -17,6 +16,7 @@
 #include "hal/files/number.hpp"
 #include "hal/trace/trace_csv.hpp"
 #include "support/property.hpp"
+#include "support/zstd.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -47,20 +47,12 @@ Setpoint setpoint(std::int64_t period) {
   return setpoint;
 }
 
-Status write_trace(const std::string& file, int rows, const Machine& machine = Machine{}) {
+Status write_rows(const std::string& file, int rows, const Machine& machine = Machine{}) {
   const std::vector<std::string> columns{"x_act_mm", "x_err_um"};
   auto trace = TraceWriter::open(file, kHeader, machine, columns);
   if (!trace) return tl::make_unexpected(trace.error());
   for (int i = 0; i < rows; ++i) (*trace)->row(setpoint(i), std::array{i * 0.1, -0.0});
   return (*trace)->finish();
-}
-
-std::string unpacked(const std::string& packed) {
-  std::string text(std::size_t{1} << 24U, '\0');
-  const auto size = ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size());
-  REQUIRE_FALSE(ZSTD_isError(size));
-  text.resize(size);
-  return text;
 }
 
 std::string last_line(std::string text) {
@@ -72,7 +64,7 @@ std::string last_line(std::string text) {
 
 TEST_CASE("a trace is names, comments and rows", "[hal][trace]") {
   const test::Folder folder;
-  REQUIRE(write_trace(folder / "t.csv", 4));
+  REQUIRE(write_rows(folder / "t.csv", 4));
   CHECK(test::read(folder / "t.csv") ==
         "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit,x_mm,y_mm,z_mm,feed_mm_s,x_act_mm,x_err_um\n"
         "# schema: softcnc-trace 2\n"
@@ -88,7 +80,7 @@ TEST_CASE("a trace is names, comments and rows", "[hal][trace]") {
 
 TEST_CASE("an axis the machine lacks has no column", "[hal][trace]") {
   const test::Folder folder;
-  REQUIRE(write_trace(folder / "t.csv", 1, two_axes()));
+  REQUIRE(write_rows(folder / "t.csv", 1, two_axes()));
   const std::string text = test::read(folder / "t.csv");
   CHECK(text.find(",limit,x_mm,z_mm,feed_mm_s,x_act_mm,") != std::string::npos);
   CHECK(last_line(text) == "0,4,2,0,20,0,chord,0,-1e-07,25,0,0");
@@ -96,7 +88,7 @@ TEST_CASE("an axis the machine lacks has no column", "[hal][trace]") {
 
 TEST_CASE("a trace without rows still has its header", "[hal][trace]") {
   const test::Folder folder;
-  REQUIRE(write_trace(folder / "t.csv", 0));
+  REQUIRE(write_rows(folder / "t.csv", 0));
   CHECK(test::read(folder / "t.csv").starts_with("t_s,line,block,"));
   CHECK(last_line(test::read(folder / "t.csv")).starts_with("# machine: "));
 }
@@ -176,20 +168,20 @@ TEST_CASE("every number of a row reads back bit for bit", "[hal][trace][property
 TEST_CASE("a compressed trace holds the same text, in the same bytes each time", "[hal][trace]") {
   constexpr int kRows = 50'000;
   const test::Folder folder;
-  REQUIRE(write_trace(folder / "t.csv", kRows));
-  REQUIRE(write_trace(folder / "a.csv.zst", kRows));
-  REQUIRE(write_trace(folder / "b.csv.zst", kRows));
+  REQUIRE(write_rows(folder / "t.csv", kRows));
+  REQUIRE(write_rows(folder / "a.csv.zst", kRows));
+  REQUIRE(write_rows(folder / "b.csv.zst", kRows));
   const std::string packed = test::read(folder / "a.csv.zst");
   CHECK(packed == test::read(folder / "b.csv.zst"));
   const std::string text = test::read(folder / "t.csv");
-  CHECK(unpacked(packed) == text);
+  CHECK(softcnc::test::unpacked(packed) == text);
   CHECK(packed.size() < text.size() / 2);
   CHECK(std::count(text.begin(), text.end(), '\n') == kRows + 5);
 }
 
 TEST_CASE("an unknown suffix is refused and names those known", "[hal][trace]") {
   for (const char* file : {"trace.xls", "trace", "trace.zst"}) {
-    const auto written = write_trace(file, 1);
+    const auto written = write_rows(file, 1);
     REQUIRE_FALSE(written);
     CHECK(render(written.error()) ==
           std::string(file) +
@@ -200,7 +192,7 @@ TEST_CASE("an unknown suffix is refused and names those known", "[hal][trace]") 
 }
 
 TEST_CASE("what is no regular file takes CSV", "[hal][trace]") {
-  CHECK(write_trace("/dev/null", 10));
+  CHECK(write_rows("/dev/null", 10));
 }
 
 TEST_CASE("a full disk ends a trace with its reason", "[hal][trace]") {

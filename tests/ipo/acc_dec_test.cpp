@@ -13,9 +13,9 @@ using namespace softcnc::test;
 
 namespace {
 
-constexpr double kRadius = 20, kFeed = 100, kTau = 0.1;
+constexpr double kCircleRadius = 20, kRampFeed = 100, kTau = 0.1;
 
-Machine machine_with(Method method, double acc_dec = kTau) {
+Machine acc_dec_machine(Method method, double acc_dec = kTau) {
   Machine machine;
   machine.limits.feed = 0;
   machine.control.interpolation = method;
@@ -25,7 +25,8 @@ Machine machine_with(Method method, double acc_dec = kTau) {
 
 std::vector<Block> circles(double feed) {
   const auto arc =
-      Arc::make({{kRadius, 0, 0}, {kRadius, 0, 0}, {0, 0, 0}, Plane::xy, true, 1}).value();
+      Arc::make({{kCircleRadius, 0, 0}, {kCircleRadius, 0, 0}, {0, 0, 0}, Plane::xy, true, 1})
+          .value();
   return number_blocks({Move{arc, false, feed, PathMode::follow}});
 }
 
@@ -48,29 +49,30 @@ TEST_CASE("acceleration after interpolation shrinks a circle as its closed form 
   const double feed = GENERATE(30.0, 100.0, 240.0), tau = GENERATE(0.05, 0.1);
   CAPTURE(bell, feed, tau);
   const auto run = test::run(
-      machine_with(bell ? Method::acc_dec_bell : Method::acc_dec_linear, tau), circles(feed));
-  const double x = feed / kRadius * tau / 2;
-  const double left = kRadius * (bell ? sinc(x) * sinc(x) : sinc(x));
+      acc_dec_machine(bell ? Method::acc_dec_bell : Method::acc_dec_linear, tau), circles(feed));
+  const double x = feed / kCircleRadius * tau / 2;
+  const double left = kCircleRadius * (bell ? sinc(x) * sinc(x) : sinc(x));
   for (const double radius : radii(run))
-    REQUIRE(kRadius - radius == Approx(kRadius - left).epsilon(0.01));
+    REQUIRE(kCircleRadius - radius == Approx(kCircleRadius - left).epsilon(0.01));
   // The largest deviation that the verifier measures is that of the steady part.
-  CHECK(run.measured.path_deviation == Approx(kRadius - left).epsilon(0.01));
-  CHECK(run.rows.back().position == AxisVector(kRadius, 0, 0));
+  CHECK(run.measured.path_deviation == Approx(kCircleRadius - left).epsilon(0.01));
+  CHECK(run.rows.back().position == AxisVector(kCircleRadius, 0, 0));
 }
 
 TEST_CASE("a mean of samples has the exact gain of their number", "[methods][acc-dec]") {
   // sin(N x) / (N sin x), x half the angle from sample to sample.
-  const auto run = test::run(machine_with(Method::acc_dec_linear), circles(kFeed));
-  const double x = kFeed * 1e-3 / kRadius / 2, n = 100;
+  const auto run = test::run(acc_dec_machine(Method::acc_dec_linear), circles(kRampFeed));
+  const double x = kRampFeed * 1e-3 / kCircleRadius / 2, n = 100;
   for (const double radius : radii(run))
-    REQUIRE(radius == Approx(kRadius * std::sin(n * x) / (n * std::sin(x))).epsilon(1e-11));
+    REQUIRE(radius == Approx(kCircleRadius * std::sin(n * x) / (n * std::sin(x))).epsilon(1e-11));
 }
 
 TEST_CASE("the two-step control draws chords of a smaller circle", "[methods][acc-dec]") {
-  Machine machine = machine_with(Method::two_step, 0.08);
-  const auto run = test::run(machine, circles(kFeed));
-  const double step = kFeed * machine.control.rough_period / kRadius, x = step / 2, n = 10;
-  const double corners = kRadius * std::sin(n * x) / (n * std::sin(x));
+  Machine machine = acc_dec_machine(Method::two_step, 0.08);
+  const auto run = test::run(machine, circles(kRampFeed));
+  const double step = kRampFeed * machine.control.rough_period / kCircleRadius, x = step / 2,
+               n = 10;
+  const double corners = kCircleRadius * std::sin(n * x) / (n * std::sin(x));
   const std::size_t count = run.rows.size();
   for (std::size_t i = count / 3; i < 2 * count / 3; ++i) {
     const auto part = static_cast<double>(run.rows[i].period % 8) / 8;
@@ -78,31 +80,32 @@ TEST_CASE("the two-step control draws chords of a smaller circle", "[methods][ac
     REQUIRE(run.rows[i].position.norm() ==
             Approx(std::hypot(corners * std::cos(x), aside)).epsilon(1e-10));
   }
-  CHECK(kRadius - corners == Approx(kRadius * (1 - sinc(kFeed / kRadius * 0.04))).epsilon(0.011));
-  CHECK(run.rows.back().position == AxisVector(kRadius, 0, 0));
+  CHECK(kCircleRadius - corners ==
+        Approx(kCircleRadius * (1 - sinc(kRampFeed / kCircleRadius * 0.04))).epsilon(0.011));
+  CHECK(run.rows.back().position == AxisVector(kCircleRadius, 0, 0));
   CHECK(run.rows.back().v == 0);
 }
 
 TEST_CASE("on a line the speed is a ramp, and the acceleration a triangle", "[methods][acc-dec]") {
-  const auto blocks = polyline({{0, 0, 0}, {30, 0, 0}}, kFeed);
-  const auto linear = test::run(machine_with(Method::acc_dec_linear), blocks);
+  const auto blocks = polyline({{0, 0, 0}, {30, 0, 0}}, kRampFeed);
+  const auto linear = test::run(acc_dec_machine(Method::acc_dec_linear), blocks);
   CHECK(static_cast<double>(linear.rows.size()) == Approx((0.3 + kTau) * 1000).margin(1));
   for (std::size_t i = 1; i <= 100; ++i) {
     const double moved = linear.rows[i].position[0] - linear.rows[i - 1].position[0];
-    REQUIRE(moved == Approx(kFeed * 1e-3 * static_cast<double>(i) / 100).epsilon(1e-9));
+    REQUIRE(moved == Approx(kRampFeed * 1e-3 * static_cast<double>(i) / 100).epsilon(1e-9));
   }
-  CHECK(linear.measured.acceleration[0] == Approx(kFeed / kTau).epsilon(1e-6));
-  CHECK(linear.measured.velocity[0] == Approx(kFeed).epsilon(1e-9));
+  CHECK(linear.measured.acceleration[0] == Approx(kRampFeed / kTau).epsilon(1e-6));
+  CHECK(linear.measured.velocity[0] == Approx(kRampFeed).epsilon(1e-9));
   CHECK(linear.rows.back().position == AxisVector(30, 0, 0));
-  const auto bell = test::run(machine_with(Method::acc_dec_bell), blocks);
+  const auto bell = test::run(acc_dec_machine(Method::acc_dec_bell), blocks);
   CHECK(static_cast<double>(bell.rows.size()) == Approx((0.3 + 2 * kTau) * 1000).margin(2));
-  CHECK(bell.measured.acceleration[0] == Approx(kFeed / kTau).epsilon(0.02));
-  CHECK(bell.measured.jerk[0] == Approx(kFeed / (kTau * kTau)).epsilon(0.02));
+  CHECK(bell.measured.acceleration[0] == Approx(kRampFeed / kTau).epsilon(0.02));
+  CHECK(bell.measured.jerk[0] == Approx(kRampFeed / (kTau * kTau)).epsilon(0.02));
   CHECK(linear.measured.jerk[0] > 50 * bell.measured.jerk[0]);
 }
 
 TEST_CASE("the time of acceleration follows from the machine", "[methods][acc-dec]") {
-  Machine machine = machine_with(Method::acc_dec_linear, 0);
+  Machine machine = acc_dec_machine(Method::acc_dec_linear, 0);
   machine.axes[1].velocity = 100;
   machine.axes[1].acceleration = 200;
   machine.axes[2].present = false;
@@ -125,7 +128,7 @@ TEST_CASE("a corner is cut, and a dwell begins at rest", "[methods][acc-dec]") {
                      Move{Line({20, 0, 0}, {20, 20, 0}), false, 50, PathMode::follow}, Dwell{0.05},
                      Move{Line({20, 20, 0}, {0, 20, 0}), false, 50, PathMode::stop},
                      Move{Line({0, 20, 0}, {0, 0, 0}), false, 50, PathMode::follow}});
-  const auto run = test::run(machine_with(method, 0.08), blocks);
+  const auto run = test::run(acc_dec_machine(method, 0.08), blocks);
   double to_corner = 20, to_stop = 20;
   int at_dwell = 0, block = 1;
   for (const Setpoint& row : run.rows) {
@@ -156,7 +159,7 @@ TEST_CASE("override, hold and stop are ramps as well, and leave the line nowhere
   controls[1005] = {1, false, false};
   controls[1509] = {1, false, true};
   const auto run =
-      test::run(machine_with(method, 0.08), polyline({{0, 0, 0}, {400, 300, 0}}, 50), controls);
+      test::run(acc_dec_machine(method, 0.08), polyline({{0, 0, 0}, {400, 300, 0}}, 50), controls);
   const AxisVector along = AxisVector(0.8, 0.6, 0);
   for (std::size_t i = 1; i < run.rows.size(); ++i) {
     const AxisVector off = run.rows[i].position - along.dot(run.rows[i].position) * along;
@@ -179,9 +182,9 @@ TEST_CASE("rows that lag behind find their own blocks", "[methods][acc-dec]") {
   // Moves much shorter than the way of one average, whichever pieces the queue comes in.
   std::vector<AxisVector> points;
   for (int i = 0; i <= 500; ++i) points.emplace_back(0.1 * i, std::sin(0.02 * i), 0);
-  const auto blocks = polyline(points, kFeed);
-  const auto together = test::run(machine_with(Method::acc_dec_bell), blocks, Controls{}, 0);
-  const auto apart = test::run(machine_with(Method::acc_dec_bell), blocks, Controls{}, kSlowly);
+  const auto blocks = polyline(points, kRampFeed);
+  const auto together = test::run(acc_dec_machine(Method::acc_dec_bell), blocks, Controls{}, 0);
+  const auto apart = test::run(acc_dec_machine(Method::acc_dec_bell), blocks, Controls{}, kSlowly);
   REQUIRE(together.rows.size() == apart.rows.size());
   for (std::size_t i = 0; i < apart.rows.size(); ++i) {
     const Setpoint& row = apart.rows[i];

@@ -6,15 +6,12 @@
 
 #include "motion/geometry/section.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipo;
 
 namespace {
-
-Path arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
-  return Arc::make({from, to, center, Plane::xy, ccw, 0}).value();
-}
 
 std::optional<Blend> blend(const Path& before, const Path& after, double tolerance) {
   return make_blend({before, after, length(before), 0.5 * length(after), tolerance});
@@ -55,12 +52,12 @@ TEST_CASE("between two lines the middle is 3/16 d |t1 - t0| from the corner", "[
 
 TEST_CASE("lines, arcs and NURBS go over into each other", "[blend]") {
   const Path line = Line({-30, 1, 0}, {0, 0, 0});
-  const Path bow = arc({0, 0, 0}, {20, 0, 0}, {10, -3, 0}, false);
-  const Path bow_back = arc({20, 0, 0}, {0, 0, 0}, {10, 5, 0}, true);
+  const Path bow = test::arc({0, 0, 0}, {20, 0, 0}, {10, -3, 0}, false);
+  const Path bow_back = test::arc({20, 0, 0}, {0, 0, 0}, {10, 5, 0}, true);
   const Path circle = test::curve("circle_deg2");
   const Path to_circle = Line(start(circle) - AxisVector(3, 20, 0), start(circle));
-  const Path from_circle =
-      arc(end(circle), end(circle) + AxisVector(8, 0, 0), end(circle) + AxisVector(4, 6, 0), true);
+  const Path from_circle = test::arc(end(circle), end(circle) + AxisVector(8, 0, 0),
+                                     end(circle) + AxisVector(4, 6, 0), true);
   for (const auto& [before, after] : {std::pair{line, bow}, std::pair{bow, bow_back},
                                       std::pair{to_circle, circle}, std::pair{circle, from_circle}})
     for (const double tolerance : {0.001, 0.01, 0.1}) {
@@ -75,7 +72,7 @@ TEST_CASE("lines, arcs and NURBS go over into each other", "[blend]") {
 TEST_CASE("a tangent joint of line and arc gets a curve of gradual change of curvature",
           "[blend]") {
   const Path line = Line({-30, 10, 0}, {0, 10, 0});
-  const Path bow = arc({0, 10, 0}, {10, 0, 0}, {0, 0, 0}, false);
+  const Path bow = test::arc({0, 10, 0}, {10, 0, 0}, {0, 0, 0}, false);
   const auto found = blend(line, bow, 0.01);
   REQUIRE(found);
   check_ends(*found, line, bow);

@@ -30,7 +30,7 @@ std::vector<LineVertex> lines_through(const std::vector<AxisVector>& points, dou
   return lines;
 }
 
-std::vector<LineVertex> chopped_circle(double radius, double chord, int count) {
+std::vector<LineVertex> circle_lines(double radius, double chord, int count) {
   std::vector<AxisVector> points;
   for (int i = 0; i < count; ++i)
     points.emplace_back(radius * std::cos(i * chord / radius),
@@ -74,7 +74,7 @@ double farthest_sample(const ChordKnots& knots, const std::vector<LineVertex>& l
 }
 
 double farthest_on_circle(double h, bool near) {
-  const auto lines = chopped_circle(1, 1e-3, 4000);
+  const auto lines = circle_lines(1, 1e-3, 4000);
   ChordKnots knots(lines, 500, h);
   for (int i = 0; i < 10; ++i) knots.lay(lines, h, near);
   return knots.measure(lines, 7).deviation;
@@ -117,7 +117,7 @@ TEST_CASE("splines with knots h apart are off a circle by h^2 / 6, and by h^4 / 
 }
 
 TEST_CASE("hats that are cut back leave those before as they were", "[chord_knots]") {
-  const auto lines = chopped_circle(1, 0.05, 200);
+  const auto lines = circle_lines(1, 0.05, 200);
   ChordKnots knots(lines, 5, 0.2);
   for (int i = 0; i < 8; ++i) knots.lay(lines, 0.2, false);
   const std::vector<AxisVector> points{knots.point(3), knots.point(4), knots.point(5)};

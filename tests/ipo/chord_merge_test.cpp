@@ -19,7 +19,7 @@ std::size_t merged(const std::vector<AxisVector>& points, const MoveAttributes& 
   return n;
 }
 
-std::vector<AxisVector> circle(double radius, double chord, int count) {
+std::vector<AxisVector> circle_points(double radius, double chord, int count) {
   std::vector<AxisVector> points;
   for (int i = 0; i <= count; ++i)
     points.emplace_back(radius * std::sin(i * chord / radius),
@@ -31,7 +31,7 @@ std::vector<AxisVector> circle(double radius, double chord, int count) {
 
 TEST_CASE("chords are joined up to the sagitta of the tolerance", "[chord_merge]") {
   // A sixteenth of P = 0.16: a sagitta of 0.01 mm on a radius of 50 mm is a chord of 2 mm.
-  const auto points = circle(50, 0.1, 100);
+  const auto points = circle_points(50, 0.1, 100);
   CHECK(merged(points, within(0.16, 0.16)) == 20);
   CHECK(merged(points, within(0.16, 0.0025)) == 10);  // Q below that counts as it is
   CHECK(merged(points, within(0.16, 0)) == 1);

@@ -18,7 +18,7 @@ PathPoint on_circle(double radius) {
   return point;
 }
 
-Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, PathMode::follow}; }
+Move cutting_at(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, PathMode::follow}; }
 
 }  // namespace
 
@@ -50,18 +50,18 @@ TEST_CASE("feed is capped by the program, its override and the machine", "[const
   machine.limits.feed = 250;
   const PathPoint point = on_circle(10);
   const auto cap = [&](double feed, double override_) {
-    return std::sqrt(make_feed_limit(machine, override_)->velocity_limit(point, cutting(feed)));
+    return std::sqrt(make_feed_limit(machine, override_)->velocity_limit(point, cutting_at(feed)));
   };
   CHECK(cap(100, 1) == Approx(100));
   CHECK(cap(100, 0.5) == Approx(50));
   CHECK(cap(100, 2) == Approx(200));
   CHECK(cap(200, 2) == Approx(250));  // an override never lifts a limit of the machine
-  Move rapid = cutting(1);
+  Move rapid = cutting_at(1);
   rapid.rapid = true;
   CHECK(make_feed_limit(machine, 0.5)->velocity_limit(point, rapid) == kUnlimited);
-  CHECK(make_feed_limit(machine, 1)->limit(cutting(1)) == Limit::feed);
-  CHECK(make_feed_limit(machine, 0.5)->limit(cutting(1)) == Limit::override_);
-  Move fixed = cutting(100);
+  CHECK(make_feed_limit(machine, 1)->limit(cutting_at(1)) == Limit::feed);
+  CHECK(make_feed_limit(machine, 0.5)->limit(cutting_at(1)) == Limit::override_);
+  Move fixed = cutting_at(100);
   fixed.feed_override = false;
   CHECK(std::sqrt(make_feed_limit(machine, 0.5)->velocity_limit(point, fixed)) == Approx(100));
   CHECK(make_feed_limit(machine, 0.5)->limit(fixed) == Limit::feed);
@@ -74,7 +74,7 @@ TEST_CASE("the path may be faster than an axis by its direction", "[constraint]"
   machine.axes[1].velocity = 30;
   PathPoint point;
   point.dq = {0.8, 0.6, 0};
-  CHECK(std::sqrt(make_axis_velocity(machine)->velocity_limit(point, cutting(1))) == Approx(50));
+  CHECK(std::sqrt(make_axis_velocity(machine)->velocity_limit(point, cutting_at(1))) == Approx(50));
 }
 
 TEST_CASE("a bend is passed at the speed that its radius and the normal limit allow",
@@ -82,11 +82,12 @@ TEST_CASE("a bend is passed at the speed that its radius and the normal limit al
   Machine machine;
   machine.limits.normal = 250;
   const auto normal = make_normal_acceleration(machine);
-  CHECK(std::sqrt(normal->velocity_limit(on_circle(10), cutting(100))) == Approx(50).epsilon(1e-3));
+  CHECK(std::sqrt(normal->velocity_limit(on_circle(10), cutting_at(100))) ==
+        Approx(50).epsilon(1e-3));
   PathPoint straight = on_circle(10);
   straight.ddq.setZero();
-  CHECK(normal->velocity_limit(straight, cutting(100)) == kUnlimited);
-  CHECK(normal->limit(cutting(100)) == Limit::normal);
+  CHECK(normal->velocity_limit(straight, cutting_at(100)) == kUnlimited);
+  CHECK(normal->limit(cutting_at(100)) == Limit::normal);
 }
 
 TEST_CASE("an axis may be too fast between two points where it is not", "[constraint]") {

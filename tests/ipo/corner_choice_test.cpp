@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/machines.hpp"
 #include "support/run.hpp"
 
 using namespace softcnc;
@@ -18,13 +19,7 @@ struct Setting {
 };
 
 Machine machine_of(const Setting& setting) {
-  Machine machine;
-  machine.control.period = setting.period;
-  for (Axis& axis : machine.axes) {
-    axis.acceleration = setting.acceleration;
-    axis.jerk = setting.jerk;
-  }
-  return machine;
+  return test::usual_machine(setting.acceleration, setting.jerk, setting.period);
 }
 
 /// Two corners by `angle`, to the left and to the right.

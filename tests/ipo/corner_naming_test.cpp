@@ -10,7 +10,7 @@ namespace {
 
 using test::run;
 
-Machine machine_with(double jerk) {
+Machine unrounded_machine(double jerk) {
   Machine machine;
   machine.control.corner_tolerance = 0;
   for (Axis& axis : machine.axes) axis.jerk = jerk;
@@ -48,7 +48,7 @@ TEST_CASE("a ramp to and from a corner is held back by the corner", "[ipo][rest-
     const double once = ramp(jerk);
     for (const std::size_t chunk : {std::size_t{1}, std::size_t{0}}) {
       const auto turning =
-          run(machine_with(jerk), two_lines(M_PI / 2, PathMode::follow), -1, chunk);
+          run(unrounded_machine(jerk), two_lines(M_PI / 2, PathMode::follow), -1, chunk);
       INFO("jerk " << jerk << ", chunk " << chunk);
       CHECK(time_of(turning, Limit::corner) == Approx(2 * once).epsilon(1e-4));
       CHECK(ramps(turning) == Approx(2 * once).epsilon(1e-4));  // from the start, and to the end
@@ -59,7 +59,7 @@ TEST_CASE("a ramp to and from a corner is held back by the corner", "[ipo][rest-
 TEST_CASE("so is one to and from an exact stop, but not one to and from an M code",
           "[ipo][rest-ramps]") {
   for (const double jerk : {0.0, 50'000.0}) {
-    const Machine machine = machine_with(jerk);
+    const Machine machine = unrounded_machine(jerk);
     const double once = ramp(jerk);
     const auto stopping = run(machine, two_lines(0, PathMode::stop));
     CHECK(time_of(stopping, Limit::corner) == Approx(2 * once).epsilon(1e-4));
@@ -79,7 +79,7 @@ TEST_CASE("a ramp to a corner goes over as many lines as it takes", "[ipo][rest-
   for (int i = 1; i <= 400; ++i) points.emplace_back(40, 0.1 * i, 0);
   for (const double jerk : {0.0, 50'000.0}) {
     const double once = ramp(jerk);
-    const auto fine = run(machine_with(jerk), test::polyline(points, 50));
+    const auto fine = run(unrounded_machine(jerk), test::polyline(points, 50));
     INFO("jerk " << jerk);
     const double tolerance = jerk > 0 ? 0.06 : 1e-6;  // the limit binds a little before its end
     CHECK(time_of(fine, Limit::corner) == Approx(2 * once).epsilon(tolerance));
@@ -93,13 +93,13 @@ TEST_CASE("what is slower on the way to a corner holds back by its own name", "[
     std::get<Move>(all.back().what).feed = 5;  // from 50 mm/s to rest, and on at 5
     return all;
   }();
-  const auto result = run(machine_with(0), blocks);
+  const auto result = run(unrounded_machine(0), blocks);
   CHECK(time_of(result, Limit::corner) == Approx(0.05 + 0.005).epsilon(1e-6));
   CHECK(time_of(result, Limit::acceleration) == Approx(0.05 + 0.005).epsilon(1e-6));
 }
 
 TEST_CASE("rows at a rest say stop, and those of its ramps corner", "[ipo][rest-ramps]") {
-  const auto result = run(machine_with(0), two_lines(M_PI / 2, PathMode::follow));
+  const auto result = run(unrounded_machine(0), two_lines(M_PI / 2, PathMode::follow));
   int corners = 0;
   for (const Setpoint& row : result.rows) {
     constexpr double kRamp = 50.0 * 50 / 2000, kRounding = 1e-6;  // mm
@@ -118,7 +118,7 @@ TEST_CASE("every setpoint has the feed that is programmed, with its override",
           "[ipo][rest-ramps]") {
   auto blocks = two_lines(M_PI / 2, PathMode::follow, Action{Action::Kind::coolant, 8, 0});
   std::get<Move>(blocks.back().what).feed_override = false;
-  const auto result = run(machine_with(0), blocks);
+  const auto result = run(unrounded_machine(0), blocks);
   for (const Setpoint& row : result.rows)
     if (row.v > 0) CHECK(row.feed == 50);
   CHECK(result.rows.back().feed == 0);

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "support/chords.hpp"
+#include "support/machines.hpp"
+#include "support/paths.hpp"
 #include "support/property.hpp"
 #include "support/rounded.hpp"
 #include "support/run.hpp"
@@ -18,13 +20,9 @@ using test::rounded;
 
 namespace {
 
-Machine machine_with(double acceleration, double jerk = 0) {
-  Machine machine;
-  machine.limits.feed = 0;
+Machine wide_machine(double acceleration, double jerk = 0) {
+  Machine machine = test::machine_with(1000, acceleration, jerk);
   for (Axis& axis : machine.axes) {
-    axis.velocity = 1000;
-    axis.acceleration = acceleration;
-    axis.jerk = jerk;
     axis.min = -1e5;
     axis.max = 1e5;
   }
@@ -33,26 +31,22 @@ Machine machine_with(double acceleration, double jerk = 0) {
 
 /// Passes every curve at the feed, so that no rest would be sooner.
 Machine mighty(double jerk = 0) {
-  Machine machine = machine_with(1e9, jerk);
+  Machine machine = wide_machine(1e9, jerk);
   machine.control.period = 1e-6;
   machine.control.chord_tolerance = 1;
   return machine;
 }
 
-Move within(Path path, double p, double q, double feed = 100) {
+Move move_within(Path path, double p, double q, double feed = 100) {
   return {std::move(path), false, feed, PathMode::follow, p, q};
 }
 
-std::vector<Block> polyline(const std::vector<AxisVector>& points, double p, double q,
-                            double feed = 100) {
+std::vector<Block> polyline_within(const std::vector<AxisVector>& points, double p, double q,
+                                   double feed = 100) {
   std::vector<std::variant<Move, Dwell, Action>> moves;
   for (std::size_t i = 1; i < points.size(); ++i)
-    moves.emplace_back(within(Line(points[i - 1], points[i]), p, q, feed));
+    moves.emplace_back(move_within(Line(points[i - 1], points[i]), p, q, feed));
   return number_blocks(std::move(moves));
-}
-
-Path arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
-  return Arc::make({from, to, center, Plane::xy, ccw, 0}).value();
 }
 
 AxisVector random_step(double size) {
@@ -80,7 +74,7 @@ std::vector<AxisVector> serpentine(double radius, double chord, int count, doubl
   return points;
 }
 
-void check_ends(const std::vector<Block>& blocks, const std::vector<Piece>& pieces) {
+void check_same_ends(const std::vector<Block>& blocks, const std::vector<Piece>& pieces) {
   CHECK(start(path_of(pieces.front().block)) == start(path_of(blocks.front())));
   CHECK(end(path_of(pieces.back().block)) == end(path_of(blocks.back())));
 }
@@ -93,7 +87,7 @@ void check_goes_on(const std::vector<Block>& blocks, const std::vector<Piece>& p
   RC_ASSERT(jumps.turn <= most.turn);
   RC_ASSERT(jumps.curvature <= most.curvature);
   RC_ASSERT(test::in_order(pieces));
-  check_ends(blocks, pieces);
+  check_same_ends(blocks, pieces);
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ void check_goes_on(const std::vector<Block>& blocks, const std::vector<Piece>& p
 TEST_CASE("a corner between long lines is P away from its rounding", "[corner_stage]") {
   constexpr double kShare = 2e-6;  // the search for a width ends at 1e-6 of the tolerance
   for (const double angle : {0.05, 0.5, 0.5 * std::numbers::pi, 2.5}) {
-    const auto blocks = polyline(
+    const auto blocks = polyline_within(
         {{-10, 0, 0}, {0, 0, 0}, 10 * AxisVector(std::cos(angle), std::sin(angle), 0)}, 0.05, 0);
     const auto pieces = rounded(mighty(), blocks);
     REQUIRE(pieces.size() == 3);
@@ -127,7 +121,7 @@ TEST_CASE("lines in every direction, long and short, stay within P of the progra
         std::vector<AxisVector> points{random_step(50)};
         for (int i = 0; i < 24; ++i)
           points.push_back(points.back() + random_step(size * random_size(-1, 1)));
-        const auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
+        const auto blocks = polyline_within(points, p, test::integer(0, 2) * 0.5 * p);
         const auto pieces = rounded(mighty(), blocks);
         RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
         // The curvature is rounding, where lines of a few um meet.
@@ -156,7 +150,7 @@ TEST_CASE("chopped curves, fine and coarse, stay within P of the program",
           angle += 0.5 * curvature * length;
           points.push_back(points.back() + length * direction + random_step(noise));
         }
-        auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
+        auto blocks = polyline_within(points, p, test::integer(0, 2) * 0.5 * p);
         if (test::integer(0, 1) == 0) std::get<Move>(blocks[30].what).feed = 90;
         const auto pieces = rounded(mighty(), blocks);
         RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
@@ -190,7 +184,7 @@ TEST_CASE("long chopped curves stay within P of the program, and become few span
           angle += 0.5 * curvature * length;
           points.push_back(points.back() + length * direction + random_step(noise));
         }
-        auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
+        auto blocks = polyline_within(points, p, test::integer(0, 2) * 0.5 * p);
         if (test::integer(0, 2) == 0) std::get<Move>(blocks[150].what).feed = 90;
         const auto pieces = rounded(mighty(), blocks);
         std::vector<AxisVector> run;
@@ -211,7 +205,7 @@ TEST_CASE("long chopped curves stay within P of the program, and become few span
 
 TEST_CASE("along a chopped curve a span reaches over many lines", "[corner_stage]") {
   const auto points = serpentine(3.5, 0.1, 2000, 1e-4);
-  const auto pieces = rounded(mighty(), polyline(points, 0.005, 0.005));
+  const auto pieces = rounded(mighty(), polyline_within(points, 0.005, 0.005));
   std::size_t spans = 0;
   for (const Piece& piece : pieces) spans += breaks(path_of(piece.block)).size() + 1;
   CHECK(spans < 2000 / 5);
@@ -219,7 +213,7 @@ TEST_CASE("along a chopped curve a span reaches over many lines", "[corner_stage
 
 TEST_CASE("a chopped circle becomes a spline of few spans that bends like it", "[corner_stage]") {
   const double radius = 3.5, p = 0.005;
-  const auto blocks = polyline(serpentine(radius, 0.04, 270, 0), p, 0);
+  const auto blocks = polyline_within(serpentine(radius, 0.04, 270, 0), p, 0);
   const auto pieces = rounded(mighty(), blocks);
   double s = 0;
   int knots = 0;
@@ -250,7 +244,7 @@ TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][
           const double feed = 50 + 10 * test::integer(0, 1);
           if (kind == 0) {
             const AxisVector to = here + random_step(length) + AxisVector(0, 0, 0.1 * length);
-            moves.emplace_back(within(Line(here, to), p, p, feed));
+            moves.emplace_back(move_within(Line(here, to), p, p, feed));
             here = to;
           } else if (kind == 1) {
             const double from = real(0, 6.28), sweep = real(0.3, 6) * (1 - 2 * test::integer(0, 1));
@@ -260,7 +254,7 @@ TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][
             const AxisVector center = here - on(from);
             const AxisVector to =
                 center + on(from + sweep) + AxisVector(0, 0, real(-0.5, 0.5) * length);
-            moves.emplace_back(within(arc(here, to, center, sweep > 0), p, p, feed));
+            moves.emplace_back(move_within(test::arc(here, to, center, sweep > 0), p, p, feed));
             here = to;
           } else {
             NurbsSpec spec{3, {here}, {1, 2, 1, 0.5, 1, 1}, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}};
@@ -270,7 +264,7 @@ TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][
                   spec.control.back() +
                   length * AxisVector(std::cos(turn + 0.4 * k), std::sin(turn + 0.4 * k), 0.2 * k));
             here = spec.control.back();
-            moves.emplace_back(within(Nurbs::make(spec).value(), p, p, feed));
+            moves.emplace_back(move_within(Nurbs::make(spec).value(), p, p, feed));
           }
         }
         const auto blocks = number_blocks(std::move(moves));
@@ -283,8 +277,8 @@ TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][
 
 TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
   const double radius = 3.5;
-  const auto blocks = polyline(serpentine(radius, 0.1, 1000, 1e-4), 0.005, 0.005);
-  const auto pieces = rounded(machine_with(1000), blocks);
+  const auto blocks = polyline_within(serpentine(radius, 0.1, 1000, 1e-4), 0.005, 0.005);
+  const auto pieces = rounded(wide_machine(1000), blocks);
   CHECK(test::apart(blocks, pieces) <= 0.005);
   const auto jumps = test::jumps(pieces);
   CHECK(jumps.turn < 1e-9);
@@ -304,8 +298,8 @@ TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
 
 TEST_CASE("20,000 chords of 0.1 mm keep every limit, near the time of the curve itself",
           "[corner_stage]") {
-  const Machine machine = machine_with(1000);
-  const auto chords = polyline(serpentine(3.5, 0.1, 20000, 1e-4), 0.005, 0.005, 250);
+  const Machine machine = wide_machine(1000);
+  const auto chords = polyline_within(serpentine(3.5, 0.1, 20000, 1e-4), 0.005, 0.005, 250);
   const auto result = test::run(machine, chords);
   CHECK(test::exceeded(machine, result) == "");
   std::vector<std::variant<Move, Dwell, Action>> moves;
@@ -314,7 +308,7 @@ TEST_CASE("20,000 chords of 0.1 mm keep every limit, near the time of the curve 
   for (int k = 0; k * half < 2000; ++k) {
     const AxisVector center(2 * 3.5 * k, 0, 0);
     const AxisVector to = center + AxisVector(3.5, 0, 0);
-    moves.emplace_back(within(arc(here, to, center, k % 2 != 0), 0, 0, 250));
+    moves.emplace_back(move_within(test::arc(here, to, center, k % 2 != 0), 0, 0, 250));
     here = to;
   }
   const auto arcs = test::run(machine, number_blocks(std::move(moves)));
@@ -325,12 +319,12 @@ TEST_CASE("20,000 chords of 0.1 mm keep every limit, near the time of the curve 
 
 TEST_CASE("20,000 chords on arcs and sines, with corners between, keep every limit",
           "[corner_stage]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = wide_machine(1000);
   const auto points = test::Chopped(3.5, 0.1, 1e-4).points(20000);
-  const auto result = test::run(machine, polyline(points, 0.005, 0.005, 250));
+  const auto result = test::run(machine, polyline_within(points, 0.005, 0.005, 250));
   CHECK(test::exceeded(machine, result) == "");
   CHECK(result.rows.back().position == points.back());
-  const auto exact = test::run(machine, polyline(points, 0, 0, 250));
+  const auto exact = test::run(machine, polyline_within(points, 0, 0, 250));
   CAPTURE(result.time, exact.time);
   CHECK(result.time < 0.7 * exact.time);
 }
@@ -338,28 +332,30 @@ TEST_CASE("20,000 chords on arcs and sines, with corners between, keep every lim
 TEST_CASE("lines that are joined go on smoothly from an arc and into one", "[corner_stage]") {
   for (const double jerk : {0.0, 5e4}) {
     std::vector<std::variant<Move, Dwell, Action>> moves;
-    moves.emplace_back(within(arc({-10, 10, 0}, {0, 0, 0}, {0, 10, 0}, true), 0.05, 0.05));
+    moves.emplace_back(
+        move_within(test::arc({-10, 10, 0}, {0, 0, 0}, {0, 10, 0}, true), 0.05, 0.05));
     AxisVector here = AxisVector::Zero();
     for (int i = 1; i <= 30; ++i) {
       const AxisVector to(0.1 * i, 0.001 * i * i, 0);
-      moves.emplace_back(within(Line(here, to), 0.05, 0.05));
+      moves.emplace_back(move_within(Line(here, to), 0.05, 0.05));
       here = to;
     }
-    moves.emplace_back(within(
-        arc(here, here + AxisVector(5, -5, 0), here + AxisVector(0, -5, 0), false), 0.05, 0.05));
+    moves.emplace_back(move_within(
+        test::arc(here, here + AxisVector(5, -5, 0), here + AxisVector(0, -5, 0), false), 0.05,
+        0.05));
     const auto blocks = number_blocks(std::move(moves));
-    const auto pieces = rounded(machine_with(1000, jerk), blocks);
+    const auto pieces = rounded(wide_machine(1000, jerk), blocks);
     CHECK(pieces.size() < 16);
     CHECK(test::jumps(pieces).turn < 1e-7);
     CHECK(test::in_order(pieces));
     CHECK(test::apart(blocks, pieces) <= 0.05);
-    check_ends(blocks, pieces);
+    check_same_ends(blocks, pieces);
   }
 }
 
 TEST_CASE("what must be exact is exact", "[corner_stage]") {
   const Line east({0, 0, 0}, {10, 0, 0}), north({10, 0, 0}, {10, 10, 0});
-  const auto machine = machine_with(1000);
+  const auto machine = wide_machine(1000);
   const auto corner_is_met = [&](std::vector<std::variant<Move, Dwell, Action>> moves) {
     const auto pieces = rounded(machine, number_blocks(std::move(moves)));
     return std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
@@ -367,30 +363,31 @@ TEST_CASE("what must be exact is exact", "[corner_stage]") {
       return move && end(move->path) == AxisVector(10, 0, 0);
     });
   };
-  CHECK_FALSE(corner_is_met({within(east, 0.1, 0), within(north, 0.1, 0)}));
-  CHECK_FALSE(corner_is_met({within(east, 0.1, 0, 50), within(north, 0.1, 0, 70)}));
-  CHECK(corner_is_met({within(east, 0.1, 0), Dwell{0.1}, within(north, 0.1, 0)}));
-  CHECK(corner_is_met(
-      {within(east, 0.1, 0), Action{Action::Kind::coolant, 8, 0}, within(north, 0.1, 0)}));
-  CHECK(corner_is_met({within(east, 0.1, 0), within(north, 0, 0)}));
-  CHECK(corner_is_met({within(east, 0, 0), within(north, 0.1, 0)}));
-  Move rapid = within(north, 0.1, 0);
+  CHECK_FALSE(corner_is_met({move_within(east, 0.1, 0), move_within(north, 0.1, 0)}));
+  CHECK_FALSE(corner_is_met({move_within(east, 0.1, 0, 50), move_within(north, 0.1, 0, 70)}));
+  CHECK(corner_is_met({move_within(east, 0.1, 0), Dwell{0.1}, move_within(north, 0.1, 0)}));
+  CHECK(corner_is_met({move_within(east, 0.1, 0), Action{Action::Kind::coolant, 8, 0},
+                       move_within(north, 0.1, 0)}));
+  CHECK(corner_is_met({move_within(east, 0.1, 0), move_within(north, 0, 0)}));
+  CHECK(corner_is_met({move_within(east, 0, 0), move_within(north, 0.1, 0)}));
+  Move rapid = move_within(north, 0.1, 0);
   rapid.rapid = true;
-  CHECK(corner_is_met({within(east, 0.1, 0), rapid}));
-  Move first_rapid = within(east, 0.1, 0);
+  CHECK(corner_is_met({move_within(east, 0.1, 0), rapid}));
+  Move first_rapid = move_within(east, 0.1, 0);
   first_rapid.rapid = true;
   CHECK_FALSE(corner_is_met({first_rapid, rapid}));
-  CHECK(corner_is_met({within(east, 0.1, 0), within(Line({10, 0, 0}, {0, 0.1, 0}), 0.1, 0)}));
-  Move stop = within(north, 0, 0);
+  CHECK(corner_is_met(
+      {move_within(east, 0.1, 0), move_within(Line({10, 0, 0}, {0, 0.1, 0}), 0.1, 0)}));
+  Move stop = move_within(north, 0, 0);
   stop.path_mode = PathMode::stop;
-  CHECK(corner_is_met({within(east, 0.1, 0), stop}));
+  CHECK(corner_is_met({move_within(east, 0.1, 0), stop}));
 }
 
 TEST_CASE("of two tolerances the smaller counts, and a blend has the feed of either side",
           "[corner_stage]") {
-  const auto blocks = number_blocks({within(Line({0, 0, 0}, {10, 0, 0}), 0.1, 0, 50),
-                                     within(Line({10, 0, 0}, {10, 10, 0}), 0.02, 0, 70)});
-  const auto pieces = rounded(machine_with(1000), blocks);
+  const auto blocks = number_blocks({move_within(Line({0, 0, 0}, {10, 0, 0}), 0.1, 0, 50),
+                                     move_within(Line({10, 0, 0}, {10, 10, 0}), 0.02, 0, 70)});
+  const auto pieces = rounded(wide_machine(1000), blocks);
   REQUIRE(pieces.size() == 4);
   CHECK(test::apart(blocks, pieces) == Approx(0.02).epsilon(1e-5));
   for (std::size_t i = 0; i < 4; ++i)
@@ -399,11 +396,11 @@ TEST_CASE("of two tolerances the smaller counts, and a blend has the feed of eit
 }
 
 TEST_CASE("without a tolerance blocks pass at once, unchanged", "[corner_stage]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = wide_machine(1000);
   CornerStage stage(machine, make_trial_plan(machine));
-  const auto blocks = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 0, 0);
+  const auto blocks = polyline_within({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 0, 0);
   for (const Block& block : blocks) CHECK(stage.passes(block));
-  stage.push(polyline({{0, 0, 0}, {1, 0, 0}}, 0.1, 0)[0]);
+  stage.push(polyline_within({{0, 0, 0}, {1, 0, 0}}, 0.1, 0)[0]);
   CHECK_FALSE(stage.passes(blocks[0]));
   CHECK_FALSE(stage.pop());
   stage.push(blocks[0]);
@@ -415,10 +412,10 @@ TEST_CASE("without a tolerance blocks pass at once, unchanged", "[corner_stage]"
 }
 
 TEST_CASE("little is held back, however long the program", "[corner_stage]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = wide_machine(1000);
   CornerStage stage(machine, make_trial_plan(machine));
   int in = 0, out = 0, most = 0;
-  for (const Block& block : polyline(serpentine(20, 0.05, 6000, 0), 0.01, 0.01)) {
+  for (const Block& block : polyline_within(serpentine(20, 0.05, 6000, 0), 0.01, 0.01)) {
     stage.push(block);
     ++in;
     while (auto piece = stage.pop()) {
@@ -436,8 +433,8 @@ TEST_CASE("a NURBS with a corner inside is rounded there", "[corner_stage]") {
                        {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {10, 5, 0}, {10, 10, 0}},
                        {1, 1, 1, 1, 1},
                        {0, 0, 0, 1, 1, 2, 2, 2}};
-  const auto blocks = number_blocks({within(Nurbs::make(spec).value(), 0.05, 0.05)});
-  const auto pieces = rounded(machine_with(1000), blocks);
+  const auto blocks = number_blocks({move_within(Nurbs::make(spec).value(), 0.05, 0.05)});
+  const auto pieces = rounded(wide_machine(1000), blocks);
   const auto jumps = test::jumps(pieces);
   CHECK(jumps.turn < 1e-9);
   CHECK(test::apart(blocks, pieces) <= 0.05);
@@ -445,12 +442,12 @@ TEST_CASE("a NURBS with a corner inside is rounded there", "[corner_stage]") {
 }
 
 TEST_CASE("rounding a corner never costs time, however small the tolerance", "[corner_stage]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = wide_machine(1000);
   const std::vector<AxisVector> points{{0, 0, 0}, {26, 0, 0}, {26, 26, 0}};
-  double before = test::run(machine, polyline(points, 0, 0)).time;
+  double before = test::run(machine, polyline_within(points, 0, 0)).time;
   CHECK(before == Approx(2 * (0.26 + 0.1)));
   for (const double p : {0.003, 0.01, 0.05, 0.2}) {
-    const auto result = test::run(machine, polyline(points, p, p));
+    const auto result = test::run(machine, polyline_within(points, p, p));
     CAPTURE(p);
     CHECK(test::exceeded(machine, result) == "");
     CHECK(result.time < before - 0.002);
@@ -460,7 +457,7 @@ TEST_CASE("rounding a corner never costs time, however small the tolerance", "[c
 
 TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to rest, and waits",
           "[corner_stage][feed][jerk]") {
-  const Machine machine = machine_with(1000, 50'000);
+  const Machine machine = wide_machine(1000, 50'000);
   std::vector<AxisVector> points{{0, 0, 0}};
   double stops = 0;
   for (int i = 0; i < 200; ++i) {
@@ -471,7 +468,7 @@ TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to re
     // v^2 / a + v a / j = 12 mm to 100 mm/s and back, 2 a^3 / j^2 = 0.8 mm to hold 1000 mm/s^2.
     stops += side >= 12 ? side / 100 + 0.12 : 0.02 + std::sqrt(0.02 * 0.02 + 4 * side / 1000);
   }
-  auto exact = polyline(points, 0, 0);
+  auto exact = polyline_within(points, 0, 0);
   for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto result = test::run(machine, exact);
   CHECK(test::exceeded(machine, result) == "");
@@ -481,7 +478,7 @@ TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to re
 
 TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
           "[corner_stage][feed]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = wide_machine(1000);
   std::vector<AxisVector> points{{0, 0, 0}};
   double stops = 0;
   for (int i = 0; i < 200; ++i) {
@@ -492,14 +489,14 @@ TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
     const double ramp = 100.0 * 100.0 / 1000;  // v^2 / a
     stops += side < ramp ? 2 * std::sqrt(side / 1000) : side / 100 + 100.0 / 1000;
   }
-  auto exact = polyline(points, 0, 0);
+  auto exact = polyline_within(points, 0, 0);
   for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto slow = test::run(machine, exact);
   CHECK(test::exceeded(machine, slow) == "");
   // Beside the closed form, at most one period of waiting at a corner.
   CHECK(slow.time >= stops);
   CHECK(slow.time <= stops + 200 * machine.control.period);
-  const auto fast = test::run(machine, polyline(points, 0.05, 0.05));
+  const auto fast = test::run(machine, polyline_within(points, 0.05, 0.05));
   CHECK(test::exceeded(machine, fast) == "");
   CAPTURE(slow.time, fast.time);
   CHECK(fast.time < slow.time - 199 * 0.012);  // s for each corner

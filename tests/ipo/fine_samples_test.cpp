@@ -28,7 +28,7 @@ std::vector<AxisVector> fine_rows(const Machine& machine, const std::vector<Bloc
 
 /// Largest part of an axis limit that differences of samples `period` s apart use, rest being
 /// before and after them: of the acceleration, or of the jerk.
-double used(const Machine& machine, const std::vector<AxisVector>& rows, int order) {
+double used_by_rows(const Machine& machine, const std::vector<AxisVector>& rows, int order) {
   const double period = machine.control.servo_period;
   const auto row = [&](std::ptrdiff_t i) {
     return rows[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, std::ssize(rows) - 1))];
@@ -60,7 +60,7 @@ std::vector<Block> mixed() {
        Move{Line({0, 0, 3}, {0, 0, 0}), true, 0, PathMode::follow}});
 }
 
-std::vector<Block> butterfly(double feed) {
+std::vector<Block> butterfly_at(double feed) {
   return number_blocks({Move{curve("butterfly"), false, feed, PathMode::follow}});
 }
 
@@ -81,10 +81,10 @@ TEST_CASE("accelerations and jerks hold at the servo period, whatever the period
   const bool is_butterfly = GENERATE(false, true);
   CAPTURE(period, servo_period, jerk, is_butterfly);
   const Machine machine = fine_machine(period, servo_period, jerk);
-  const auto rows = fine_rows(machine, is_butterfly ? butterfly(100) : mixed());
-  CHECK(used(machine, rows, 2) < 1.005);
-  CHECK(used(machine, rows, 3) < 1.005);
-  CHECK(used(machine, rows, 2) > 0.9);  // which the plan makes use of
+  const auto rows = fine_rows(machine, is_butterfly ? butterfly_at(100) : mixed());
+  CHECK(used_by_rows(machine, rows, 2) < 1.005);
+  CHECK(used_by_rows(machine, rows, 3) < 1.005);
+  CHECK(used_by_rows(machine, rows, 2) > 0.9);  // which the plan makes use of
 }
 
 TEST_CASE("random programs keep their limits at the servo period", "[ipo][fine][property]") {
@@ -100,8 +100,8 @@ TEST_CASE("random programs keep their limits at the servo period", "[ipo][fine][
         if (integer(0, 1) == 0)
           for (Axis& axis : machine.axes) axis.jerk = 0;
         const auto rows = fine_rows(machine, blocks);
-        RC_ASSERT(used(machine, rows, 2) < 1.005);
-        RC_ASSERT(used(machine, rows, 3) < 1.005);
+        RC_ASSERT(used_by_rows(machine, rows, 2) < 1.005);
+        RC_ASSERT(used_by_rows(machine, rows, 3) < 1.005);
       },
       60);
 }
@@ -117,8 +117,8 @@ TEST_CASE("kinks too small to stop at hold at the servo period", "[ipo][fine]") 
   CAPTURE(period, jerk);
   const Machine machine = fine_machine(period, 1, jerk);
   const auto rows = fine_rows(machine, polyline(points, 100));
-  CHECK(used(machine, rows, 2) < 1.005);
-  CHECK(used(machine, rows, 3) < 1.005);
+  CHECK(used_by_rows(machine, rows, 2) < 1.005);
+  CHECK(used_by_rows(machine, rows, 3) < 1.005);
 }
 
 TEST_CASE("fine rows lie on the path, and every last one is the setpoint", "[ipo][fine]") {
@@ -157,9 +157,9 @@ TEST_CASE("fine rows are the rows of a plan with their period", "[ipo][fine]") {
 
 TEST_CASE("the loop of the simulated axes does not change the plan", "[ipo][fine]") {
   Machine machine = fine_machine(8, 0, 0);
-  const auto rows = run(machine, butterfly(50)).rows;
+  const auto rows = run(machine, butterfly_at(50)).rows;
   machine.control.backend = BackendKind::sim;
-  const auto simulated = run(machine, butterfly(50)).rows;
+  const auto simulated = run(machine, butterfly_at(50)).rows;
   REQUIRE(rows.size() == simulated.size());
   for (std::size_t i = 0; i < rows.size(); ++i) REQUIRE(rows[i].position == simulated[i].position);
 }
@@ -167,8 +167,8 @@ TEST_CASE("the loop of the simulated axes does not change the plan", "[ipo][fine
 TEST_CASE("a method that goes its own way gets a spline between its setpoints", "[ipo][fine]") {
   Machine machine = fine_machine(8, 1, 0);
   machine.control.interpolation = GENERATE(Method::taylor1, Method::taylor2, Method::curvature3p);
-  const auto rows = fine_rows(machine, butterfly(20));
-  CHECK(rows.back() == run(machine, butterfly(20)).rows.back().position);
+  const auto rows = fine_rows(machine, butterfly_at(20));
+  CHECK(rows.back() == run(machine, butterfly_at(20)).rows.back().position);
   // Evenly between setpoints it would be 8 times the acceleration.
-  CHECK(used(machine, rows, 2) < 2.5);
+  CHECK(used_by_rows(machine, rows, 2) < 2.5);
 }

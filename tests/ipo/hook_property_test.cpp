@@ -2,9 +2,8 @@
 // Hooks, cusps and tiny curves on random machines with jerk limits: long periods hardly cost time
 // there, and planning stays short.
 //
-// SOFTCNC_PROGRAMS sets how many are tried: scripts/random_programs.
+// SOFTCNC_PROGRAMS sets how many are tried: scripts/stress programs.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
 #include "ipo/limits/chord_error.hpp"
 #include "support/property.hpp"
@@ -15,11 +14,6 @@ using namespace softcnc;
 using namespace softcnc::test;
 
 namespace {
-
-int programs() {
-  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
-  return asked ? std::atoi(asked) : 100;
-}
 
 constexpr double kSecondsOfWork = 4e-7;  // tuning::horizon::kWorkPerSecond
 
@@ -149,7 +143,7 @@ TEST_CASE("hooks, cusps and tiny curves cost hardly more time at long periods",
         RC_ASSERT(kSecondsOfWork * static_cast<double>(result.counts.effort.work) <=
                   0.2 + 0.5 * result.time);
       },
-      programs());
+      programs_asked(100));
   INFO(slow << " of " << tried << " programs took longer");
   CHECK(20 * slow <= tried + 20);
 }

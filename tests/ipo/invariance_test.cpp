@@ -5,6 +5,7 @@
 
 #include "support/curves.hpp"
 #include "support/figures.hpp"
+#include "support/machines.hpp"
 #include "support/sanitized.hpp"
 
 using namespace softcnc;
@@ -42,20 +43,10 @@ void check_same(const Planned& one, const Planned& other) {
   CHECK(other.fallbacks == one.fallbacks);
 }
 
-Machine machine_with(double acceleration, double jerk, double period = 1e-3) {
-  Machine machine;
-  machine.control.period = period;
-  for (Axis& axis : machine.axes) {
-    axis.acceleration = acceleration;
-    axis.jerk = jerk;
-  }
-  return machine;
-}
-
 std::vector<Machine> machines() {
-  if (kSanitized) return {machine_with(2000, 20'000)};
-  return {machine_with(1000, 0), machine_with(1000, 50'000), machine_with(2000, 20'000),
-          machine_with(1000, 5'000, 4e-3)};
+  if (kSanitized) return {usual_machine(2000, 20'000)};
+  return {usual_machine(1000, 0), usual_machine(1000, 50'000), usual_machine(2000, 20'000),
+          usual_machine(1000, 5'000, 4e-3)};
 }
 
 Figure small_curve(const std::string& name, double part) {

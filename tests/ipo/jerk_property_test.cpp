@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random programs on random machines with jerk limits: whatever they ask, the limits hold.
 //
-// SOFTCNC_PROGRAMS sets how many are tried: scripts/random_programs.
+// SOFTCNC_PROGRAMS sets how many are tried: scripts/stress programs.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
 #include "support/property.hpp"
 #include "support/random_program.hpp"
@@ -14,10 +13,7 @@ using namespace softcnc::test;
 
 namespace {
 
-int programs() {
-  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
-  return asked ? std::atoi(asked) : 300;
-}
+constexpr int kPrograms = 300;
 
 struct Case {
   Machine machine;
@@ -57,7 +53,7 @@ TEST_CASE("random programs with jerk limits keep every limit and end where they 
         RC_ASSERT(static_cast<double>(result.counts.effort.work) <=
                   4e6 * (1.5 + 1.5 * result.time));
       },
-      programs());
+      programs_asked(kPrograms));
 }
 
 TEST_CASE("a near cusp between two nodes of a plan is seen", "[ipo][jerk]") {
@@ -99,7 +95,7 @@ TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the pa
         for (std::size_t i = 0; i <= static_cast<std::size_t>(after); ++i)
           RC_ASSERT(stopped.rows[i].position == whole.rows[i].position);
       },
-      programs() / 3);
+      programs_asked(kPrograms) / 3);
 }
 
 TEST_CASE("a stop that needs all of the way to a corner ends there, not after it",
@@ -126,5 +122,5 @@ TEST_CASE("a jerk-limited plan of a random program does not depend on how it arr
           RC_ASSERT(pieces.rows[i].limit == whole.rows[i].limit);
         }
       },
-      programs() / 10);
+      programs_asked(kPrograms) / 10);
 }

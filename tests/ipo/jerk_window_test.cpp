@@ -8,30 +8,14 @@
 #include <cmath>
 
 #include "support/curves.hpp"
+#include "support/machines.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
 
 using namespace softcnc;
 using namespace softcnc::test;
 
-namespace {
-
-Machine machine_with(double velocity, double acceleration, double jerk) {
-  Machine machine;
-  machine.limits.feed = 0;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = velocity;
-    axis.acceleration = acceleration;
-    axis.jerk = jerk;
-  }
-  return machine;
-}
-
-std::vector<Block> one(Path path, double feed) {
-  return number_blocks({Move{std::move(path), false, feed, PathMode::follow}});
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a line from rest to rest takes the time of its seven phases", "[ipo][jerk]") {
   // L / v + v / a + a / j, all three limits being reached.
@@ -52,7 +36,7 @@ TEST_CASE("curves are as fast as the independent optimum but for two per cent, a
                          Row{"circle_deg2", 250, 1000, 50000, 100, 0.742}}) {
     CAPTURE(row.curve);
     const Machine machine = machine_with(row.velocity, row.acceleration, row.jerk);
-    const auto result = run(machine, one(curve(row.curve), row.feed));
+    const auto result = run(machine, one_move(curve(row.curve), row.feed));
     CHECK(result.time < 1.02 * row.optimum);
     CHECK(result.time > 0.98 * row.optimum);
     CHECK(exceeded(machine, result) == "");
@@ -65,7 +49,7 @@ TEST_CASE("a slow arc takes few nodes however short its stopping distances are",
   for (const double feed : {0.05, 0.5, 5.0}) {
     CAPTURE(feed);
     const Path arc = *Arc::make({from, to, centre});
-    const auto result = run(machine, one(arc, feed));
+    const auto result = run(machine, one_move(arc, feed));
     CHECK(static_cast<double>(result.counts.effort.nodes) < 600 * result.time + 200);
     CHECK(result.counts.effort.fallbacks == 0);
     CHECK(result.time == Approx(length(arc) / feed).epsilon(1e-3).margin(0.1));
@@ -98,7 +82,7 @@ TEST_CASE("corners rounded by micrometres, and tips, do not hold a plan up", "[i
 }
 
 TEST_CASE("an axis that stands still, or is as fast as a row, asks for no nodes", "[ipo][jerk]") {
-  const auto path = one(curve("butterfly"), 100);
+  const auto path = one_move(curve("butterfly"), 100);
   Machine machine = machine_with(250, 1000, 20000);
   const auto even = run(machine, path);
   machine.axes[2].jerk = 1e6;
@@ -128,7 +112,7 @@ TEST_CASE("chords run exactly take no longer where more jerk is allowed", "[ipo]
 }
 
 TEST_CASE("no plan that goes on from another one is faster than the feed", "[ipo][jerk]") {
-  const auto result = run(machine_with(250, 1000, 20000), one(curve("infinity8"), 200));
+  const auto result = run(machine_with(250, 1000, 20000), one_move(curve("infinity8"), 200));
   CHECK(result.counts.effort.fallbacks == 0);
   for (const Setpoint& row : result.rows) REQUIRE(row.v <= 200 * (1 + 1e-6));
 }
@@ -139,13 +123,13 @@ TEST_CASE("where half a second ahead cannot be planned, a shorter way is", "[ipo
   machine.control.period = 0.008;
   ArcSpec spec{{0, 0, 0}, {-1.679246188, 1.080192886, 0}, {4.543326109, 8.908321271, 0}};
   spec.ccw = false;
-  const auto result = run(machine, one(*Arc::make(spec), 1));
+  const auto result = run(machine, one_move(*Arc::make(spec), 1));
   CHECK(result.counts.effort.fallbacks == 0);
   CHECK(exceeded(machine, result) == "");
 }
 
 TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk]") {
-  const auto path = one(curve("butterfly"), 100);
+  const auto path = one_move(curve("butterfly"), 100);
   const auto machine = [](double jerk) {
     Machine made = machine_with(250, 1000, jerk);
     made.control.period = made.control.servo_period = 0.004;
@@ -216,14 +200,14 @@ TEST_CASE("in its last moment on a tight arc an axis may not use more jerk than 
   const Arc arc =
       Arc::make({on_circle(-0.386), on_circle(1.53), AxisVector::Zero(), Plane::xy, true, 0})
           .value();
-  CHECK(exceeded(machine, run(machine, one(arc, 3.4))) == "");
+  CHECK(exceeded(machine, run(machine, one_move(arc, 3.4))) == "");
 }
 
 TEST_CASE("a stop within a jerk-limited curve ends at rest on the path", "[ipo][jerk]") {
   const Machine machine = machine_with(250, 1000, 50000);
   for (const int after : {3, 700, 2000, 4000}) {
     CAPTURE(after);
-    const auto stopped = run(machine, one(curve("butterfly"), 100), after);
+    const auto stopped = run(machine, one_move(curve("butterfly"), 100), after);
     CHECK(exceeded(machine, stopped) == "");
     CHECK(stopped.rows.back().v == 0);
     CHECK(static_cast<int>(stopped.rows.size()) < after + 400);
@@ -250,7 +234,7 @@ TEST_CASE("a long plan follows an axis without a limit of jerk every so many row
   machine.axes[0].jerk = 258;
   machine.axes[1].acceleration = 64;
   const Arc arc = Arc::make({{0, 0, 0}, {20, 20, 0}, {0, 20, 0}, Plane::xy, true, 0}).value();
-  const auto result = run(machine, one(arc, 15));
+  const auto result = run(machine, one_move(arc, 15));
   CHECK(exceeded(machine, result) == "");
   CHECK(result.time < 2.5);  // 2.87 where a plan was found with four tenths of the jerk alone
   CHECK(result.rows.size() > 8000);  // of which each had a node, in each of the plans

@@ -8,6 +8,7 @@
 
 #include "ipo/tuning.hpp"
 #include "motion/geometry/spline.hpp"
+#include "support/machines.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
 
@@ -30,17 +31,6 @@ std::vector<Block> between_lines(const Nurbs& curve) {
   return number_blocks({Move{Line(AxisVector(-5, 0, 0), AxisVector::Zero()), false, 60},
                         Move{Path(curve), false, 60},
                         Move{Line(end, end + AxisVector(0, 0, 5)), false, 60}});
-}
-
-Machine machine_with(double jerk) {
-  Machine machine;
-  machine.limits.feed = 0;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = 250;
-    axis.acceleration = 1000;
-    axis.jerk = jerk;
-  }
-  return machine;
 }
 
 }  // namespace
@@ -81,12 +71,12 @@ TEST_CASE("a long curve takes as long in stretches as in one plan", "[ipo][long_
   const double jerk = GENERATE(0.0, 50'000.0);
   CAPTURE(jerk);
   const auto blocks = between_lines(wave(700));
-  Machine machine = machine_with(jerk);
+  Machine machine = machine_with(250, 1000, jerk);
   const Run in_stretches = run(machine, blocks);
   machine.control.interpolation = Method::taylor2;  // which is planned as a whole
   const Run as_a_whole = run(machine, blocks);
   CHECK(in_stretches.time == Approx(as_a_whole.time).epsilon(jerk > 0 ? 1e-3 : 1e-5));
-  CHECK(exceeded(machine_with(jerk), in_stretches) == "");
+  CHECK(exceeded(machine_with(250, 1000, jerk), in_stretches) == "");
   CHECK(in_stretches.rows.back().position == end(std::get<Move>(blocks.back().what).path));
   CHECK(in_stretches.rows.size() > 1000);
   // Nowhere on the curve does the tool rest where one stretch ends.
@@ -99,7 +89,7 @@ TEST_CASE("whatever is asked of the feed on a long curve keeps the limits, and t
           "[ipo][long_curve]") {
   const double jerk = GENERATE(0.0, 50'000.0);
   CAPTURE(jerk);
-  const Machine machine = machine_with(jerk);
+  const Machine machine = machine_with(250, 1000, jerk);
   const auto blocks = between_lines(wave(1100));
   const FeedControl half{0.5, false, false}, hold{1, true, false}, full{1, false, false};
   const Run result = run(

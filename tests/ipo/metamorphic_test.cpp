@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ipo/planner/planner.hpp"
+#include "support/machines.hpp"
 #include "support/property.hpp"
 #include "support/run.hpp"
 
@@ -71,7 +72,7 @@ Course chords(int axes, double length, double tolerance, int count) {
 }
 
 /// Two lines of 10 mm.
-Course corner(double turn, double heading, double tolerance) {
+Course corner_course(double turn, double heading, double tolerance) {
   const auto along = [](double angle) {
     return AxisVector(10 * std::cos(angle), 10 * std::sin(angle), 0);
   };
@@ -98,23 +99,18 @@ std::vector<Course> courses() {
   for (int axes = 1; axes <= 3; ++axes)
     for (const double length : {0.1, 1.0}) all.push_back(chords(axes, length, 0.01, 30));
   for (const double degrees : {30, 90, 120, 140})
-    all.push_back(corner(degrees * std::numbers::pi / 180, 0.7, 0.05));
+    all.push_back(corner_course(degrees * std::numbers::pi / 180, 0.7, 0.05));
   for (const double size : {0.3, 3.0}) all.push_back(arcs(size, 0.01));
   return all;
 }
 
-Machine machine_of(double acceleration, double jerk) {
-  Machine machine;
+Machine course_machine(double acceleration, double jerk) {
+  Machine machine = test::machine_with(1000, acceleration, jerk);
   machine.limits.feed = 1000;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = 1000;
-    axis.acceleration = acceleration;
-    axis.jerk = jerk;
-  }
   return machine;
 }
 
-double planned(const Machine& machine, const std::vector<Block>& blocks) {
+double planned_time(const Machine& machine, const std::vector<Block>& blocks) {
   Diagnostics diagnostics;
   ipo::Planner planner(machine, 1, diagnostics);
   for (const Block& block : blocks) planner.push(block);
@@ -130,11 +126,11 @@ double planned(const Machine& machine, const std::vector<Block>& blocks) {
 TEST_CASE("a higher feed never makes a motion slower", "[metamorphic][property]") {
   for (const double jerk : {0.0, 50'000.0})
     for (const Course& course : courses()) {
-      const Machine machine = machine_of(1000, jerk);
+      const Machine machine = course_machine(1000, jerk);
       double fastest = ipo::kUnlimited;
       for (double feed = 5; feed < 300; feed *= 1.5) {
         CAPTURE(jerk, course.name, feed);
-        const double time = planned(machine, course.blocks(feed));
+        const double time = planned_time(machine, course.blocks(feed));
         CHECK(time <= kNoSlower * fastest);
         fastest = std::min(fastest, time);
       }
@@ -147,7 +143,7 @@ TEST_CASE("a higher limit never makes a motion slower", "[metamorphic][property]
       double fastest = ipo::kUnlimited;
       for (double acceleration = 500; acceleration < 4000; acceleration *= 1.4) {
         CAPTURE(jerk, course.name, acceleration);
-        const double time = planned(machine_of(acceleration, jerk), course.blocks(60));
+        const double time = planned_time(course_machine(acceleration, jerk), course.blocks(60));
         CHECK(time <= kNoSlower * fastest);
         fastest = std::min(fastest, time);
       }
@@ -156,7 +152,7 @@ TEST_CASE("a higher limit never makes a motion slower", "[metamorphic][property]
     double fastest = ipo::kUnlimited;
     for (double jerk = 10'000; jerk < 200'000; jerk *= 1.6) {
       CAPTURE(course.name, jerk);
-      const double time = planned(machine_of(1000, jerk), course.blocks(60));
+      const double time = planned_time(course_machine(1000, jerk), course.blocks(60));
       CHECK(time <= kNoSlower * fastest);
       fastest = std::min(fastest, time);
     }
@@ -168,12 +164,13 @@ TEST_CASE("a path takes as long as its reverse", "[metamorphic][property]") {
   for (const double tolerance : {0.01, 0.05, 0.1})
     for (const double degrees : {30, 60, 90, 110, 120, 130, 136, 140, 145, 150})
       for (const double heading : {0.0, 0.7, 1.3})
-        all.push_back(corner(degrees * std::numbers::pi / 180, heading, tolerance));
+        all.push_back(corner_course(degrees * std::numbers::pi / 180, heading, tolerance));
   for (const double jerk : {0.0, 50'000.0})
     for (const Course& course : all) {
       CAPTURE(jerk, course.name, course.tolerance);
-      const Machine machine = machine_of(1000, jerk);
-      const double there = planned(machine, course.blocks(66.7));
-      CHECK(planned(machine, course.reversed().blocks(66.7)) == Approx(there).epsilon(kSameTime));
+      const Machine machine = course_machine(1000, jerk);
+      const double there = planned_time(machine, course.blocks(66.7));
+      CHECK(planned_time(machine, course.reversed().blocks(66.7)) ==
+            Approx(there).epsilon(kSameTime));
     }
 }

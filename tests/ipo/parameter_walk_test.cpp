@@ -12,8 +12,8 @@ using namespace softcnc::ipo;
 
 namespace {
 
-test::Run butterfly(Method method, double feed, double period, double tolerance,
-                    double acceleration = 1000) {
+test::Run butterfly_run(Method method, double feed, double period, double tolerance,
+                        double acceleration = 1000) {
   Machine machine;
   machine.limits.feed = 0;
   machine.control.interpolation = method;
@@ -85,7 +85,7 @@ TEST_CASE("the compensated step of Yeh and Hsu is a chord of the asked length ne
 
 TEST_CASE("every method lands on the end point", "[stepping]") {
   for (const Method method : {Method::taylor1, Method::taylor2, Method::curvature3p}) {
-    const auto result = butterfly(method, 100, 1e-3, 1e-3);
+    const auto result = butterfly_run(method, 100, 1e-3, 1e-3);
     CHECK(result.rows.back().position == AxisVector(54.492, 52.139, 0));
     CHECK(result.rows.back().v == 0);
     CHECK(result.measured.path_deviation < 1e-9);
@@ -94,9 +94,9 @@ TEST_CASE("every method lands on the end point", "[stepping]") {
 
 TEST_CASE("feed fluctuates by per cents with Taylor steps, not at all by arc length",
           "[stepping]") {
-  const double first = butterfly(Method::taylor1, 100, 1e-3, 1e-3).measured.feed_fluctuation;
-  const double second = butterfly(Method::taylor2, 100, 1e-3, 1e-3).measured.feed_fluctuation;
-  const double exact = butterfly(Method::arc_length, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  const double first = butterfly_run(Method::taylor1, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  const double second = butterfly_run(Method::taylor2, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  const double exact = butterfly_run(Method::arc_length, 100, 1e-3, 1e-3).measured.feed_fluctuation;
   CHECK(first > 0.03);
   CHECK(first < 0.1);
   CHECK(second > 0.004);
@@ -130,9 +130,9 @@ TEST_CASE("the three-point scheme of paper 000 does not hold its own bound", "[s
   // 8 ms, 2000 mm/min, no acceleration limit: up to 8.3 times the tolerance at 0.05 um and 3.3
   // times at 2 um on the butterfly (computed independently).
   const double fine =
-      butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 5e-5, 1e9).measured.chord_error;
+      butterfly_run(Method::curvature3p, 2000.0 / 60, 8e-3, 5e-5, 1e9).measured.chord_error;
   const double coarse =
-      butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 2e-3, 1e9).measured.chord_error;
+      butterfly_run(Method::curvature3p, 2000.0 / 60, 8e-3, 2e-3, 1e9).measured.chord_error;
   CHECK(fine / 5e-5 == Approx(8.3).epsilon(0.02));
   CHECK(coarse / 2e-3 == Approx(3.3).epsilon(0.02));
 }

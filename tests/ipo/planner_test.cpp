@@ -7,43 +7,34 @@
 #include <random>
 
 #include "support/curves.hpp"
+#include "support/machines.hpp"
+#include "support/paths.hpp"
 #include "support/random_program.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
 
 using namespace softcnc;
+using test::arc;
 using test::exceeded;
 using test::number_blocks;
+using test::one_move;
 using test::polyline;
 using test::random_program;
 using test::run;
 
 namespace {
 
-Machine machine_with(double acceleration, double period = 1e-3, double tolerance = 1e-3) {
-  Machine machine;
-  machine.limits.feed = 0;
+Machine fast_machine(double acceleration, double period = 1e-3, double tolerance = 1e-3) {
+  Machine machine = test::machine_with(1000, acceleration, 0);
   machine.control.period = period;
   machine.control.chord_tolerance = tolerance;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = 1000;
-    axis.acceleration = acceleration;
-  }
   return machine;
-}
-
-std::vector<Block> one(Path path, double feed) {
-  return number_blocks({Move{std::move(path), false, feed, PathMode::follow}});
-}
-
-Arc arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
-  return Arc::make({from, to, center, Plane::xy, ccw, 0}).value();
 }
 
 }  // namespace
 
 TEST_CASE("a line from rest to rest takes the trapezoid's time", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   // v / a + L / v, and 2 sqrt(L / a) where the feed is not reached.
   CHECK(run(machine, polyline({{0, 0, 0}, {100, 0, 0}}, 100)).time == Approx(1.1).epsilon(1e-12));
   CHECK(run(machine, polyline({{0, 0, 0}, {4, 0, 0}}, 100)).time ==
@@ -56,7 +47,7 @@ TEST_CASE("a line from rest to rest takes the trapezoid's time", "[planner]") {
 TEST_CASE("a line takes the trapezoid's time of its tangential limit", "[planner]") {
   for (const double jerk : {0.0, 1e6}) {
     CAPTURE(jerk);
-    Machine machine = machine_with(1000);
+    Machine machine = fast_machine(1000);
     for (Axis& axis : machine.axes) axis.jerk = jerk;
     machine.limits.tangential = 400;
     const auto result = run(machine, polyline({{0, 0, 0}, {60, 80, 0}}, 100));
@@ -70,7 +61,7 @@ TEST_CASE("a line takes the trapezoid's time of its tangential limit", "[planner
 
 TEST_CASE("the peak of the bend of a rounded corner is passed within the normal limit",
           "[planner]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   machine.axes[0].acceleration = 300;
   machine.axes[1].jerk = 50000;
   machine.axes[2].acceleration = 3000;
@@ -95,7 +86,7 @@ TEST_CASE("a circle is run at the speed of its normal limit, ramps within the ta
           "[planner]") {
   for (const double jerk : {0.0, 1e5}) {
     CAPTURE(jerk);
-    Machine machine = machine_with(1000);
+    Machine machine = fast_machine(1000);
     for (Axis& axis : machine.axes) axis.jerk = jerk;
     machine.limits.tangential = 200;
     machine.limits.normal = 160;
@@ -112,7 +103,7 @@ TEST_CASE("a circle is run at the speed of its normal limit, ramps within the ta
 }
 
 TEST_CASE("a rapid is bound by the axes alone", "[planner]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   machine.limits.feed = 10;
   for (Axis& axis : machine.axes) axis.velocity = 50;
   const auto result = run(machine, polyline({{0, 0, 0}, {100, 100, 0}}, 1, true));
@@ -124,8 +115,8 @@ TEST_CASE("a circle takes the time of the closed form under axis limits", "[plan
   // Radius 10 mm, 100 mm/s, 1000 mm/s^2 per axis: at 100 mm/s one axis is just at its limit at the
   // quadrants. Ramps obey |cos| v'^ + |sin| v^2/r <= A on both axes; the reference is a fine
   // numeric integration of the ramp, up and down being mirror images.
-  const Machine machine = machine_with(1000);
-  const auto result = run(machine, one(arc({10, 0, 0}, {10, 0, 0}, {0, 0, 0}, true), 100));
+  const Machine machine = fast_machine(1000);
+  const auto result = run(machine, one_move(arc({10, 0, 0}, {10, 0, 0}, {0, 0, 0}, true), 100));
   double t = 0, s = 0, v = 0;
   const double r = 10, dt = 1e-7;
   while (v < 100) {
@@ -150,8 +141,8 @@ TEST_CASE("circles and helices of many turns stay inside every limit", "[planner
       const auto path =
           Arc::make({{1, 0, 0}, {1, 0, turns * rise}, {0, 0, 0}, Plane::xy, true, turns - 1});
       REQUIRE(path);
-      const Machine machine = machine_with(1000);
-      const auto result = run(machine, one(*path, 250));
+      const Machine machine = fast_machine(1000);
+      const auto result = run(machine, one_move(*path, 250));
       CHECK(exceeded(machine, result) == "");
       // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the
       // distance.
@@ -165,9 +156,9 @@ TEST_CASE("an arc is braked on within the acceleration of the axes", "[planner]"
   const double r = 0.42;
   for (double sweep = 2.5; sweep < 6.2; sweep += 0.06) {
     CAPTURE(sweep);
-    const Machine machine = machine_with(340, 1e-3, 5e-5);
+    const Machine machine = fast_machine(340, 1e-3, 5e-5);
     const AxisVector end(r * std::cos(sweep), r * std::sin(sweep), 0);
-    const auto result = run(machine, one(arc({r, 0, 0}, end, {0, 0, 0}, true), 128));
+    const auto result = run(machine, one_move(arc({r, 0, 0}, end, {0, 0, 0}, true), 128));
     CHECK(exceeded(machine, result) == "");
   }
 }
@@ -179,10 +170,10 @@ TEST_CASE("a slow axis keeps its speed between the nodes of an arc", "[planner]"
     for (const double feed : {70.0, 100.0, 150.0})
       for (const double start : {0.02, 0.05, 0.12, 0.15, 0.22, 0.33}) {
         CAPTURE(slow, feed, start);
-        Machine machine = machine_with(5000, 4e-3, 5e-3);
+        Machine machine = fast_machine(5000, 4e-3, 5e-3);
         machine.axes[1].velocity = slow;
         const AxisVector from(30 * std::cos(start), 30 * std::sin(start), 0);
-        const auto result = run(machine, one(arc(from, from, {0, 0, 0}, true), feed));
+        const auto result = run(machine, one_move(arc(from, from, {0, 0, 0}, true), feed));
         CHECK(exceeded(machine, result) == "");
       }
 }
@@ -202,8 +193,8 @@ TEST_CASE("the benchmark curves take the optimum's time within 1 %, inside every
                         Case{"butterfly", 2000.0 / 60, 8e-3, 2e-3, 12.159, 0.05},
                         Case{"butterfly", 100, 4e-3, 1e-3, 5.742, 0.05}}) {
     CAPTURE(c.curve, c.feed, c.period, c.tolerance);
-    const Machine machine = machine_with(1000, c.period, c.tolerance);
-    const auto result = run(machine, one(test::curve(c.curve), c.feed));
+    const Machine machine = fast_machine(1000, c.period, c.tolerance);
+    const auto result = run(machine, one_move(test::curve(c.curve), c.feed));
     CHECK(result.time < c.reference * (1 + c.within));
     CHECK(result.time > c.reference * 0.995);
     CHECK(exceeded(machine, result) == "");
@@ -214,7 +205,7 @@ TEST_CASE("the benchmark curves take the optimum's time within 1 %, inside every
 }
 
 TEST_CASE("the machine rests where the tangent turns, and only there", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   const auto square =
       run(machine, polyline({{0, 0, 0}, {50, 0, 0}, {50, 50, 0}, {0, 50, 0}, {0, 0, 0}}, 100));
   CHECK(square.time == Approx(4 * (0.5 + 0.1)).epsilon(1e-12));
@@ -224,14 +215,14 @@ TEST_CASE("the machine rests where the tangent turns, and only there", "[planner
 }
 
 TEST_CASE("an exact stop rests at the end of its block", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   auto blocks = polyline({{0, 0, 0}, {50, 0, 0}, {100, 0, 0}}, 100);
   std::get<Move>(blocks[0].what).path_mode = PathMode::stop;
   CHECK(run(machine, blocks).time == Approx(2 * (0.5 + 0.1)).epsilon(1e-12));
 }
 
 TEST_CASE("a corner has a row of its own where the polyline would cut it", "[planner]") {
-  const Machine machine = machine_with(1000, 8e-3, 5e-5);
+  const Machine machine = fast_machine(1000, 8e-3, 5e-5);
   const auto result = run(machine, polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 100));
   CHECK(exceeded(machine, result) == "");
   const bool row_in_corner =
@@ -242,7 +233,7 @@ TEST_CASE("a corner has a row of its own where the polyline would cut it", "[pla
 }
 
 TEST_CASE("a tangent that is off by rounding does not stop the machine", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   // A line into an arc whose center was rounded: the tangent turns by 1 mrad.
   const auto blocks = number_blocks(
       {Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, PathMode::follow},
@@ -257,7 +248,7 @@ TEST_CASE("a tangent that is off by rounding does not stop the machine", "[plann
 }
 
 TEST_CASE("dwell is rest, actions happen at rest and take no time", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   const Move first{Line({0, 0, 0}, {50, 0, 0}), false, 100, PathMode::follow};
   const Move second{Line({50, 0, 0}, {100, 0, 0}), false, 100, PathMode::follow};
   const auto result =
@@ -276,7 +267,7 @@ TEST_CASE("dwell is rest, actions happen at rest and take no time", "[planner]")
 }
 
 TEST_CASE("a move beyond the travel of an axis is reported with its block's place", "[planner]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   for (Axis& axis : machine.axes) {
     axis.min = -12;
     axis.max = 12;
@@ -294,17 +285,18 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 0, 0}}, 100)).diagnostics.size() == 1);
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 30, 0}}, 100)).diagnostics.size() == 2);
   // Inside at both ends, outside between: the extremum counts. A half circle to Y 15.
-  const auto between = run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, true), 100));
+  const auto between = run(machine, one_move(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, true), 100));
   REQUIRE(between.diagnostics.size() == 1);
   CHECK(between.diagnostics[0].message ==
         "Y reaches 15 mm, 3 mm beyond its travel from -12 to 12 mm");
   // No false alarm: the same arc in the other direction stays inside, however far its circle
   // reaches.
-  CHECK(run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100)).diagnostics.empty());
+  CHECK(run(machine, one_move(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100))
+            .diagnostics.empty());
 }
 
 TEST_CASE("an excess shows, however small, and every axis with it", "[planner]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   machine.axes[0].max = 12;
   machine.axes[1].min = -12;
   const auto told = [&](const AxisVector& to) {
@@ -322,7 +314,7 @@ TEST_CASE("an excess shows, however small, and every axis with it", "[planner]")
 }
 
 TEST_CASE("an override below 100 % names itself where it binds", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   const auto result = run(machine, polyline({{0, 0, 0}, {100, 0, 0}}, 100), -1, 1, 0.5);
   CHECK(result.time == Approx(100.0 / 50 + 50.0 / 1000));
   CHECK(result.time_by_limit.count(Limit::override_) == 1);
@@ -330,7 +322,7 @@ TEST_CASE("an override below 100 % names itself where it binds", "[planner]") {
 }
 
 TEST_CASE("rows count time from zero, one a period, the last at rest", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   const auto result = run(machine, polyline({{0, 0, 0}, {4.1, 0, 0}}, 100));
   for (std::size_t i = 0; i < result.rows.size(); ++i)
     CHECK(result.rows[i].period == static_cast<std::int64_t>(i));
@@ -341,14 +333,14 @@ TEST_CASE("rows count time from zero, one a period, the last at rest", "[planner
 }
 
 TEST_CASE("a program without motion is one row", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   CHECK(run(machine, number_blocks({Action{Action::Kind::end, 30, 0}})).rows.size() == 1);
   CHECK(run(machine, {}).rows.size() == 1);
 }
 
 TEST_CASE("axes of very unequal acceleration are planned without a standstill", "[planner]") {
   // On the arc the slow axis stands nearly across the tangent: it bounds q, not u.
-  Machine machine = machine_with(200);
+  Machine machine = fast_machine(200);
   machine.axes[1].acceleration = 6000;
   const AxisVector a(-2.001312053, -3.120116379, 0),
       b = a + AxisVector(-0.505348540, -3.279220161, 0);
@@ -368,30 +360,30 @@ TEST_CASE("a bend too sharp to resolve is a corner", "[planner]") {
   for (const double x : {10.001, 10.0001, 9.9999, 10.00001, 9.99999, 10.0})
     for (const double period : {1e-3, 1e-4}) {
       CAPTURE(x, period);
-      const Machine machine = machine_with(1000, period);
+      const Machine machine = fast_machine(1000, period);
       const auto nurbs = Nurbs::make({3,
                                       {{0, 0, 0}, {x, 10, 0}, {0, 10, 0}, {10, 0, 0}},
                                       {1, 1, 1, 1},
                                       {0, 0, 0, 0, 1, 1, 1, 1}});
-      CHECK(exceeded(machine, run(machine, one(nurbs.value(), 100))) == "");
+      CHECK(exceeded(machine, run(machine, one_move(nurbs.value(), 100))) == "");
     }
 }
 
 TEST_CASE("moves far shorter than any machine resolves take no time to speak of", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   for (const double size : {1e-6, 1e-7, 1e-8}) {
-    const auto tiny = one(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
+    const auto tiny = one_move(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
     CHECK(run(machine, tiny).time < 5e-3);  // a sample at each of its turns
     CHECK(run(machine, polyline({{0, 0, 0}, {size, 0, 0}}, 100)).time < 1e-3);
   }
 }
 
 TEST_CASE("a slow feed needs no more nodes than a fast one", "[planner]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   for (const double feed : {100.0, 1.0, 0.1}) {
     Diagnostics diagnostics;
     ipo::Planner planner(machine, 1, diagnostics);
-    planner.push(one(arc({50, 0, 0}, {50, 0, 0}, {0, 0, 0}, true), feed)[0]);
+    planner.push(one_move(arc({50, 0, 0}, {50, 0, 0}, {0, 0, 0}, true), feed)[0]);
     CHECK(planner.counts().nodes < 1000);
   }
 }
@@ -401,7 +393,7 @@ TEST_CASE("random programs keep every limit in every row", "[planner][property]"
     std::mt19937 random(seed);
     const double period = std::array{1e-3, 4e-3, 8e-3}[seed % 3];
     const double tolerance = std::array{1e-3, 5e-5, 5e-3}[seed / 3 % 3];
-    Machine machine = machine_with(seed % 2 ? 1000 : 5000, period, tolerance);
+    Machine machine = fast_machine(seed % 2 ? 1000 : 5000, period, tolerance);
     machine.axes[2].acceleration = 300;
     machine.axes[1].velocity = 60;
     const auto blocks = random_program(random, 12);
@@ -416,7 +408,7 @@ TEST_CASE("random programs keep every limit in every row", "[planner][property]"
 TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][property]") {
   for (unsigned seed = 1; seed <= (test::kSanitized ? 4 : 20); ++seed) {
     std::mt19937 random(seed);
-    Machine machine = machine_with(1000);
+    Machine machine = fast_machine(1000);
     if (seed % 3 == 0)
       for (Axis& axis : machine.axes) axis.jerk = 50'000;
     auto blocks = random_program(random, test::kSanitized ? 20 : 40);
@@ -439,7 +431,7 @@ TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][proper
 }
 
 TEST_CASE("a block that leaves in parts is the block that leaves as a whole", "[planner]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   machine.axes[0].jerk = machine.axes[1].jerk = GENERATE(0.0, 50'000.0);
   const auto blocks = number_blocks(
       {Move{Line({0, 0, 0}, {40, 0, 0}), false, 50, PathMode::follow},
@@ -485,7 +477,7 @@ TEST_CASE("a block that leaves in parts is the block that leaves as a whole", "[
 }
 
 TEST_CASE("however long a program, the planner holds a few of its blocks", "[planner][jerk]") {
-  Machine machine = machine_with(1000);
+  Machine machine = fast_machine(1000);
   const auto waiting = [&machine](const auto& move_of, int count) {
     Diagnostics diagnostics;
     ipo::Planner planner(machine, 1, diagnostics);
@@ -521,7 +513,7 @@ TEST_CASE("however long a program, the planner holds a few of its blocks", "[pla
 TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[planner][stop]") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     std::mt19937 random(seed);
-    const Machine machine = machine_with(1000);
+    const Machine machine = fast_machine(1000);
     const auto blocks = random_program(random, 10);
     const auto whole = run(machine, blocks);
     const int after = static_cast<int>(random() % whole.rows.size());
@@ -537,7 +529,7 @@ TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[
 }
 
 TEST_CASE("a stop on a line takes v^2 / 2a", "[planner][stop]") {
-  const Machine machine = machine_with(1000);
+  const Machine machine = fast_machine(1000);
   const auto stopped = run(machine, polyline({{0, 0, 0}, {500, 0, 0}}, 100), 999);
   // At sample 999 the machine runs at 100 mm/s; it could stand 5 mm later.
   const double distance = stopped.rows.back().s - stopped.rows[999].s;

@@ -19,7 +19,7 @@ namespace {
 const std::vector<Method> kMethods{Method::sam, Method::m_sam, Method::dsm, Method::m_dsm,
                                    Method::dda};
 
-Machine mill(Method method, PulseClock clock = PulseClock::profile) {
+Machine pulse_mill(Method method, PulseClock clock = PulseClock::profile) {
   Machine machine;
   machine.control.interpolation = method;
   machine.control.pulse_clock = clock;
@@ -108,7 +108,7 @@ std::vector<Block> shapes() {
 TEST_CASE("the pulses of a run are those of the staircases of its moves", "[ipo][pulse]") {
   const Method method = GENERATE(from_range(kMethods));
   const PulseClock clock = GENERATE(PulseClock::profile, PulseClock::paper);
-  const Machine machine = mill(method, clock);
+  const Machine machine = pulse_mill(method, clock);
   const auto blocks = shapes();
   const auto result = pulse_run(machine, blocks);
   std::vector<Step> expected;
@@ -129,7 +129,7 @@ TEST_CASE("the leading axis' pulses come at the pace of the profile", "[ipo][pul
   // At a constant 60 mm/s on a slope of 3:4 the long axis makes 19200 pulses each second.
   const Method method = GENERATE(from_range(kMethods));
   const auto result = pulse_run(
-      mill(method),
+      pulse_mill(method),
       test::number_blocks({Move{Line({0, 0, 0}, {40, 30, 0}), false, 60, PathMode::follow}}));
   double last = -1;
   int steady = 0;
@@ -149,7 +149,7 @@ TEST_CASE("a row is never further from the planned place than a staircase may be
   const Method method = GENERATE(from_range(kMethods));
   const Path path = GENERATE(Path(Line({0, 0, 0}, {20, 7, 3})), Path(circle_from({5, 0, 0})),
                              Path(test::curve("butterfly")));
-  Machine machine = mill(method);
+  Machine machine = pulse_mill(method);
   const auto run =
       test::run(machine, test::number_blocks({Move{path, false, 30, PathMode::follow}}));
   CHECK(run.measured.path_deviation < 2 * 0.0025);
@@ -158,7 +158,7 @@ TEST_CASE("a row is never further from the planned place than a staircase may be
 
 TEST_CASE("clocks are no closer than pulses may come, and say so", "[ipo][pulse]") {
   const Method method = GENERATE(from_range(kMethods));
-  Machine machine = mill(method);
+  Machine machine = pulse_mill(method);
   machine.step_port.max_rate = 20e3;  // 50 mm/s along an axis
   for (Axis& axis : machine.axes) axis.velocity = 50;
   const auto result = pulse_run(
@@ -183,7 +183,7 @@ TEST_CASE("a hold amid a staircase loses no pulse", "[ipo][pulse]") {
   const Method method = GENERATE(from_range(kMethods));
   const PulseClock clock = GENERATE(PulseClock::profile, PulseClock::paper);
   const double hold = GENERATE(0.05, 0.21, 0.4);
-  const Machine machine = mill(method, clock);
+  const Machine machine = pulse_mill(method, clock);
   const auto held = pulse_run(machine, shapes(), hold);
   const auto free = pulse_run(machine, shapes());
   CHECK(held.run.rows.size() > free.run.rows.size() + 500);
@@ -195,7 +195,7 @@ TEST_CASE("a hold amid a staircase loses no pulse", "[ipo][pulse]") {
 TEST_CASE("moves that do not end on the grid go on where they are", "[ipo][pulse]") {
   GridPoint at{402, -1, 0};
   PulseWalk copy(Line({1.00124, 0, 0}, {2, 0, 0}), AxisVector::Constant(0.0025),
-                 mill(Method::m_dsm).control, at);
+                 pulse_mill(Method::m_dsm).control, at);
   while (const auto* clock = copy.ahead()) {
     advance(at, clock->step);
     copy.pass();
@@ -210,7 +210,7 @@ TEST_CASE("under the paper's clock the feed is that of its figures", "[ipo][puls
   const Method method = GENERATE(Method::sam, Method::m_sam, Method::dsm, Method::m_dsm);
   const double slope = GENERATE(0.0, 1 / 3.0, 0.5, 1.0);
   const double way = 30;
-  const auto result = pulse_run(mill(method, PulseClock::paper),
+  const auto result = pulse_run(pulse_mill(method, PulseClock::paper),
                                 test::number_blocks({Move{Line({0, 0, 0}, {way, way * slope, 0}),
                                                           false, 50, PathMode::follow}}));
   double fastest = 0;
@@ -231,7 +231,7 @@ TEST_CASE("without constant feed a diagonal is faster by sqrt 2, by either clock
   const Method method = GENERATE(Method::sam, Method::m_sam, Method::dsm, Method::m_dsm);
   const PulseClock kind = GENERATE(PulseClock::profile, PulseClock::paper);
   const double slope = GENERATE(0.0, 1 / 3.0, 0.5, 1.0);
-  Machine machine = mill(method, kind);
+  Machine machine = pulse_mill(method, kind);
   machine.control.constant_feed = ConstantFeed::off;
   const auto result = pulse_run(
       machine, test::number_blocks(
@@ -248,7 +248,7 @@ TEST_CASE("without constant feed a diagonal is faster by sqrt 2, by either clock
 
 TEST_CASE("without constant feed the profile does not stop at the ends of moves",
           "[ipo][pulse][paper003]") {
-  Machine machine = mill(Method::m_dsm);
+  Machine machine = pulse_mill(Method::m_dsm);
   machine.control.constant_feed = ConstantFeed::off;
   const auto result = pulse_run(machine, test::polyline({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}, 50));
   double slowest = 50;
@@ -259,7 +259,7 @@ TEST_CASE("without constant feed the profile does not stop at the ends of moves"
 
 TEST_CASE("under the paper's clock every move ends at rest, without a jerk limit",
           "[ipo][pulse][paper003]") {
-  Machine machine = mill(Method::m_dsm, PulseClock::paper);
+  Machine machine = pulse_mill(Method::m_dsm, PulseClock::paper);
   for (Axis& axis : machine.axes) axis.jerk = 5000;
   const auto result = pulse_run(machine, test::polyline({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}, 50));
   double slowest = 50;
@@ -270,7 +270,7 @@ TEST_CASE("under the paper's clock every move ends at rest, without a jerk limit
 }
 
 TEST_CASE("the paper's clock knows one BLU alone", "[ipo][pulse]") {
-  Machine machine = mill(Method::m_dsm, PulseClock::paper);
+  Machine machine = pulse_mill(Method::m_dsm, PulseClock::paper);
   machine.axes[1].blu = 0.005;
   const auto blocks = test::polyline({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {0, 0, 0}}, 50);
   const auto result = pulse_run(machine, blocks);
@@ -286,7 +286,7 @@ TEST_CASE("the paper's clock knows one BLU alone", "[ipo][pulse]") {
 }
 
 TEST_CASE("a period of pulses allocates nothing", "[ipo][pulse][realtime]") {
-  const Machine machine = mill(GENERATE(from_range(kMethods)));
+  const Machine machine = pulse_mill(GENERATE(from_range(kMethods)));
   Diagnostics diagnostics;
   Planner planner(machine, 1, diagnostics);
   for (const Block& block : shapes()) planner.push(block);

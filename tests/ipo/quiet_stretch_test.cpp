@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "support/paths.hpp"
 #include "support/random_program.hpp"
 #include "support/sanitized.hpp"
 
@@ -19,12 +20,8 @@ TimedBlock at_speed(Path path, double v) {
   return timed;
 }
 
-Path circle(double radius) {
-  return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
-}
-
 /// The largest part of a limit that differences of samples use, `t` s of the profile the first one.
-double used(const TimedBlock& timed, double t, double until, const Machine& machine) {
+double used_by_profile(const TimedBlock& timed, double t, double until, const Machine& machine) {
   const double period = machine.control.period;
   std::array<AxisVector, 4> last;
   double most = 0;
@@ -50,21 +47,21 @@ double used(const TimedBlock& timed, double t, double until, const Machine& mach
 
 TEST_CASE("a slow circle is quiet, a fast one is not", "[quiet]") {
   const Machine machine;  // 1000 mm/s^2, of which v^2 / 5 mm may be a quarter
-  const auto slow = quiet_from(at_speed(circle(5), 1), 2, machine);
+  const auto slow = quiet_from(at_speed(test::circle(5), 1), 2, machine);
   CHECK(slow.quiet);
   CHECK(slow.until == Approx(10 * std::numbers::pi));
   CHECK(slow.step * slow.step / (8 * 5) ==
         Approx(0.1 * machine.control.chord_tolerance).epsilon(1e-3));
-  CHECK(quiet_from(at_speed(circle(5), 35), 0, machine).quiet);
-  CHECK_FALSE(quiet_from(at_speed(circle(5), 36), 0, machine).quiet);
+  CHECK(quiet_from(at_speed(test::circle(5), 35), 0, machine).quiet);
+  CHECK_FALSE(quiet_from(at_speed(test::circle(5), 36), 0, machine).quiet);
 }
 
 TEST_CASE("on machines with limits of jerk a circle is quiet where no difference reaches them",
           "[quiet]") {
   Machine machine;
   for (Axis& axis : machine.axes) axis.jerk = 40'000;  // twice v^2 / 5 mm in 1 ms: 10 mm/s^2
-  CHECK(quiet_from(at_speed(circle(5), 4.9), 0, machine).quiet);
-  CHECK_FALSE(quiet_from(at_speed(circle(5), 5.1), 0, machine).quiet);
+  CHECK(quiet_from(at_speed(test::circle(5), 4.9), 0, machine).quiet);
+  CHECK_FALSE(quiet_from(at_speed(test::circle(5), 5.1), 0, machine).quiet);
 }
 
 TEST_CASE("lines are quiet up to a quarter of the velocity of their axes", "[quiet]") {
@@ -93,7 +90,7 @@ TEST_CASE("a dwell is quiet, and a move that asks for a roughness never", "[quie
   dwell.profile.add_rest(1000);
   CHECK(quiet_from(dwell, 0, machine).quiet);
   CHECK(quiet_from(dwell, 0, machine).until == 1000);
-  TimedBlock cut = at_speed(circle(5), 1);
+  TimedBlock cut = at_speed(test::circle(5), 1);
   std::get<Move>(cut.block.what).surface = Surface{};
   CHECK_FALSE(quiet_from(cut, 0, machine).quiet);
 }
@@ -118,7 +115,7 @@ TEST_CASE("rows of quiet stretches of random programs use no more than half of a
         REQUIRE(stretch.until > t);
         if (stretch.quiet && stretch.until - t < 2000 * machine.control.period) {
           ++stretches;
-          CHECK(used(*timed, t, stretch.until, machine) <= 0.5);
+          CHECK(used_by_profile(*timed, t, stretch.until, machine) <= 0.5);
           const auto s = [&](double at) {
             std::size_t hint = 0;
             return timed->profile.at(at, hint).s;

@@ -2,10 +2,10 @@
 // Override and hold while a program runs: when they take effect, what the samples say, and that
 // they never break a limit or leave the path.
 //
-// SOFTCNC_PROGRAMS sets how many random programs are tried: scripts/random_programs.
+// SOFTCNC_PROGRAMS sets how many random programs are tried: scripts/stress programs.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
+#include "support/machines.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"
 #include "support/run.hpp"
@@ -22,16 +22,7 @@ constexpr FeedControl kGo{1, false, false}, kHold{1, true, false};
 FeedControl override_of(double part) { return {part, false, false}; }
 
 /// 1000 mm/s^2, 1 ms; with a jerk limit it takes 20 ms to get there.
-Machine machine_with(bool jerk) {
-  Machine machine;
-  machine.limits.feed = 0;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = 250;
-    axis.acceleration = 1000;
-    axis.jerk = jerk ? 50000 : 0;
-  }
-  return machine;
-}
+Machine replan_machine(bool jerk) { return machine_with(250, 1000, jerk ? 50000 : 0); }
 
 int rows_until(const Run& run, std::size_t from, double v) {
   std::size_t row = from;
@@ -70,7 +61,7 @@ RandomRun run_random(unsigned seed, int moves, int control_count, bool varied = 
 TEST_CASE("a lower override slows the machine down as fast as its limits allow", "[ipo][replan]") {
   const bool jerk = GENERATE(false, true);
   CAPTURE(jerk);
-  const Machine machine = machine_with(jerk);
+  const Machine machine = replan_machine(jerk);
   const auto result = run(machine, long_line(), Controls{{1000, override_of(0.5)}});
   CHECK(exceeded(machine, result) == "");
   CHECK(result.rows[999].v == Approx(100).epsilon(1e-3));
@@ -85,7 +76,7 @@ TEST_CASE("a lower override slows the machine down as fast as its limits allow",
 TEST_CASE("a higher override counts at once, and never above a limit of the machine",
           "[ipo][replan]") {
   const bool jerk = GENERATE(false, true);
-  const Machine machine = machine_with(jerk);
+  const Machine machine = replan_machine(jerk);
   const auto result =
       run(machine, long_line(), Controls{{500, override_of(2)}, {1200, override_of(1)}});
   CHECK(exceeded(machine, result) == "");
@@ -100,7 +91,7 @@ TEST_CASE("a hold rests on the path until it is released, and the rows name it",
   const bool jerk = GENERATE(false, true);
   const bool by_override = GENERATE(false, true);
   CAPTURE(jerk, by_override);
-  const Machine machine = machine_with(jerk);
+  const Machine machine = replan_machine(jerk);
   const auto result = run(machine, long_line(),
                           Controls{{1000, by_override ? override_of(0) : kHold}, {3000, kGo}});
   const Limit name = by_override ? Limit::override_ : Limit::hold;
@@ -119,7 +110,7 @@ TEST_CASE("an override changes neither rapids nor what is programmed without it"
   const bool rapid = GENERATE(false, true);
   auto blocks = polyline({{0, 0, 0}, {400, 0, 0}}, 100, rapid);
   std::get<Move>(blocks[0].what).feed_override = rapid;
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const auto plain = run(machine, blocks);
   const auto slowed = run(machine, blocks, Controls{{500, override_of(0.2)}});
   CHECK(exceeded(machine, slowed) == "");
@@ -127,7 +118,7 @@ TEST_CASE("an override changes neither rapids nor what is programmed without it"
 }
 
 TEST_CASE("a dwell that is held lasts as long in all", "[ipo][replan]") {
-  const Machine machine = machine_with(false);
+  const Machine machine = replan_machine(false);
   const auto blocks =
       number_blocks({Dwell{0.5}, Move{Line({0, 0, 0}, {10, 0, 0}), false, 100, PathMode::follow}});
   const auto plain = run(machine, blocks);
@@ -143,7 +134,7 @@ TEST_CASE("override and hold at the same moments give the same rows however the 
   if (test::kSanitized && seed > 7) return;
   CAPTURE(limits_jerk, seed);
   std::mt19937 random(seed);
-  const Machine machine = machine_with(limits_jerk);
+  const Machine machine = replan_machine(limits_jerk);
   const auto blocks = random_program(random, 12);
   const Controls controls{{300, override_of(0.4)}, {700, kHold}, {900, kGo}};
   const auto whole = run(machine, blocks, controls, 0);
@@ -195,7 +186,7 @@ TEST_CASE("a hold that is taken back while it brakes takes no plan of countless 
 }
 
 TEST_CASE("an event takes no plan of the way that it takes back", "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {20, 0, 0}, Plane::xy, true, 3}).value();
   const auto blocks = number_blocks({Move{arc, false, 5, PathMode::follow}});
   const auto plain = run(machine, blocks);
@@ -211,7 +202,7 @@ TEST_CASE("a hold where the machine brakes anyway is no fall-back, nor is its re
           "[ipo][replan]") {
   const bool jerk = GENERATE(false, true);
   const int released = GENERATE(2, 500);  // samples later
-  const Machine machine = machine_with(jerk);
+  const Machine machine = replan_machine(jerk);
   const auto blocks =
       number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, PathMode::stop},
                      Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, PathMode::follow}});
@@ -230,7 +221,7 @@ TEST_CASE("a hold where the machine brakes anyway is no fall-back, nor is its re
 }
 
 TEST_CASE("a hold soon after the start of a long line rests soon", "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const auto result = run(machine, long_line(), Controls{{20, kHold}, {3000, kGo}});
   CHECK(exceeded(machine, result) == "");
   CHECK(result.rows[19].v > 5);
@@ -240,7 +231,7 @@ TEST_CASE("a hold soon after the start of a long line rests soon", "[ipo][jerk][
 
 TEST_CASE("a higher override counts soon while the machine still slows to a very low one",
           "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const double low = GENERATE(0.001, 0.01, 0.05);
   for (int row = 1005; row <= 1150; row += 5 * test::kPart) {
     CAPTURE(low, row);
@@ -254,7 +245,7 @@ TEST_CASE("a higher override counts soon while the machine still slows to a very
 
 TEST_CASE("a hold counts soon while the machine slows to a very low override",
           "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   for (int row = 1095; row <= 1130; row += test::kPart) {
     CAPTURE(row);
     const auto held =
@@ -269,7 +260,7 @@ TEST_CASE("a hold counts soon while the machine slows to a very low override",
 }
 
 TEST_CASE("a stop is found in few tries", "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {10, 0, 0}, Plane::xy, true, 3}).value();
   const auto blocks = number_blocks({Move{arc, false, 80, PathMode::follow}});
   const auto plain = run(machine, blocks);
@@ -282,7 +273,7 @@ TEST_CASE("a stop is found in few tries", "[ipo][jerk][replan]") {
 }
 
 TEST_CASE("a speed that is rounding is none", "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const Arc arc = Arc::make({{0, 0, 0}, {20, 0, 0}, {10, 0, 0}, Plane::xy, true, 0}).value();
   Diagnostics diagnostics;
   ipo::Planner planner(machine, 1, diagnostics);
@@ -301,7 +292,7 @@ TEST_CASE("a speed that is rounding is none", "[ipo][jerk][replan]") {
 }
 
 TEST_CASE("an event at the end of a move leaves it where it ends", "[ipo][jerk][replan]") {
-  const Machine machine = machine_with(true);
+  const Machine machine = replan_machine(true);
   const auto blocks =
       number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, PathMode::stop},
                      Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, PathMode::follow}});
@@ -344,7 +335,6 @@ TEST_CASE("an axis keeps its velocity where an arc turns into it, however slowly
 
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
-  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
   holds(
       [] {
         const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
@@ -355,5 +345,5 @@ TEST_CASE("random holds and overrides of random programs keep every limit and th
         RC_ASSERT(random.run.rows.back().position == random.end);
         RC_ASSERT(random.run.rows.back().v == 0);
       },
-      asked ? std::atoi(asked) : 50);
+      programs_asked(50));
 }

@@ -14,11 +14,11 @@ using namespace softcnc::test;
 
 namespace {
 
-constexpr double kFeed = 100;  // mm/s: 0.5 mm per tooth at 6000 rpm and two teeth
+constexpr double kSurfaceFeed = 100;  // mm/s: 0.5 mm per tooth at 6000 rpm and two teeth
 
 Surface paper_surface() { return {5, 0.5, 0.01066888, 2, 100}; }
 
-Machine machine_with(RoughnessModel model, double acceleration, double jerk = 0) {
+Machine surfacing_machine(RoughnessModel model, double acceleration, double jerk = 0) {
   Machine machine;
   machine.surfacing.model = model;
   for (Axis& axis : machine.axes) {
@@ -28,7 +28,7 @@ Machine machine_with(RoughnessModel model, double acceleration, double jerk = 0)
   return machine;
 }
 
-Move surface_move(Path path, double feed = kFeed) {
+Move surface_move(Path path, double feed = kSurfaceFeed) {
   Move move{std::move(path), false, feed, PathMode::follow};
   move.surface = paper_surface();
   return move;
@@ -74,10 +74,10 @@ TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[ipo][ro
   for (const double jerk : {0.0, 5e5}) {
     for (const double sign : {1.0, -1.0}) {
       CAPTURE(jerk, sign);
-      const Machine machine = machine_with(RoughnessModel::paper, 5000, jerk);
+      const Machine machine = surfacing_machine(RoughnessModel::paper, 5000, jerk);
       const auto result = run(machine, number_blocks({surface_move(over_cylinder(sign))}));
       REQUIRE(exceeded(machine, result) == "");
-      double slowest = kFeed;
+      double slowest = kSurfaceFeed;
       int bound = 0;
       for (const Setpoint& row : result.rows) {
         const double cap = paper_cap(sine_on_cylinder(row));
@@ -86,7 +86,7 @@ TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[ipo][ro
         if (std::abs(row.position[0]) < 1) slowest = std::min(slowest, row.v);
         if (row.limit == Limit::roughness) ++bound;
       }
-      CHECK(slowest / kFeed == Approx(0.653).margin(0.01));
+      CHECK(slowest / kSurfaceFeed == Approx(0.653).margin(0.01));
       CHECK(bound > 30);
       CHECK(result.measured.rmax <= 0.01066888 * 1.002);
       CHECK(result.measured.rmax > 0.01066888 * 0.99);
@@ -99,7 +99,7 @@ TEST_CASE("in a valley the guaranteed feed is lower than on level ground", "[ipo
   // again as the path of the tip.
   const Path valley = Arc::make({{-6, 0, 2}, {6, 0, 2}, {0, 0, 10}, Plane::zx, false, 0}).value();
   const auto fastest = [&](RoughnessModel model, const Path& path) {
-    const Machine machine = machine_with(model, 50000);
+    const Machine machine = surfacing_machine(model, 50000);
     const auto result = run(machine, number_blocks({surface_move(path)}));
     CHECK(result.measured.rmax <= 0.01066888 * 1.005);
     double near_bottom = 0;
@@ -118,15 +118,15 @@ TEST_CASE("the roughness costs no more time than its cap asks for", "[ipo][rough
   for (const double jerk : {0.0, 1e7}) {
     CAPTURE(jerk);
     const double acceleration = 1e5;
-    const Machine machine = machine_with(RoughnessModel::paper, acceleration, jerk);
+    const Machine machine = surfacing_machine(RoughnessModel::paper, acceleration, jerk);
     const Path path = over_cylinder();
     const auto result = run(machine, number_blocks({surface_move(path)}));
     // Half of both ramps, and every stretch at its limit.
-    double ideal = jerk > 0 ? 2 * std::sqrt(kFeed / jerk) : kFeed / acceleration;
+    double ideal = jerk > 0 ? 2 * std::sqrt(kSurfaceFeed / jerk) : kSurfaceFeed / acceleration;
     constexpr int kSteps = 100000;
     const double ds = length(path) / kSteps;
     for (int i = 0; i < kSteps; ++i)
-      ideal += ds / std::min(kFeed, paper_cap(position(path, (i + 0.5) * ds)[0] / 50));
+      ideal += ds / std::min(kSurfaceFeed, paper_cap(position(path, (i + 0.5) * ds)[0] / 50));
     CHECK(result.time == Approx(ideal).epsilon(0.003));
   }
 }
@@ -136,16 +136,16 @@ TEST_CASE("plans that follow one another on the flanks of the cap find a way on"
   for (const auto& [acceleration, jerk] :
        {std::pair{2000.0, 2e5}, {5000.0, 5e5}, {10000.0, 1e6}, {10000.0, 2e6}, {20000.0, 1e7}}) {
     CAPTURE(acceleration, jerk);
-    const Machine machine = machine_with(RoughnessModel::paper, acceleration, jerk);
+    const Machine machine = surfacing_machine(RoughnessModel::paper, acceleration, jerk);
     const auto result = run(machine, number_blocks({surface_move(over_cylinder())}));
     CHECK(result.counts.effort.fallbacks == 0);
     for (const Setpoint& row : result.rows)
-      if (std::abs(row.position[0]) < 10 && row.v < 0.6 * kFeed) FAIL(row.position[0]);
+      if (std::abs(row.position[0]) < 10 && row.v < 0.6 * kSurfaceFeed) FAIL(row.position[0]);
   }
 }
 
 TEST_CASE("upward and downward milling cost the same", "[ipo][roughness]") {
-  const Machine machine = machine_with(RoughnessModel::guaranteed, 5000);
+  const Machine machine = surfacing_machine(RoughnessModel::guaranteed, 5000);
   const auto up = Line({0, 0, 0}, {40, 0, 1}), down = Line({0, 0, 1}, {40, 0, 0});
   const double time = run(machine, number_blocks({surface_move(up)})).time;
   CHECK(run(machine, number_blocks({surface_move(down)})).time == Approx(time));
@@ -156,7 +156,7 @@ TEST_CASE("upward and downward milling cost the same", "[ipo][roughness]") {
 
 TEST_CASE("without a target, or without a spindle, nothing is limited by roughness",
           "[ipo][roughness]") {
-  const Machine machine = machine_with(RoughnessModel::guaranteed, 5000);
+  const Machine machine = surfacing_machine(RoughnessModel::guaranteed, 5000);
   Move plain = surface_move(over_cylinder()), resting = plain;
   plain.surface.reset();
   resting.surface->spindle = 0;
@@ -168,7 +168,7 @@ TEST_CASE("without a target, or without a spindle, nothing is limited by roughne
 }
 
 TEST_CASE("the override does not multiply what roughness allows", "[ipo][roughness]") {
-  const Machine machine = machine_with(RoughnessModel::paper, 5000);
+  const Machine machine = surfacing_machine(RoughnessModel::paper, 5000);
   const auto result =
       run(machine, number_blocks({surface_move(Line({0, 0, 0}, {60, 0, 0}))}), -1, 1, 1.5);
   double fastest = 0;
@@ -208,7 +208,7 @@ TEST_CASE("no row of the curves of paper 004 is faster than its roughness allows
     for (const RoughnessModel model : {RoughnessModel::paper, RoughnessModel::guaranteed})
       for (const double jerk : {0.0, 2e5, 2e6})
         for (const double period : {0.001, 0.004}) {
-          Machine machine = machine_with(model, 5000, jerk);
+          Machine machine = surfacing_machine(model, 5000, jerk);
           machine.control.period = period;
           CAPTURE(name(model), jerk, period, length(path));
           const auto result = run(machine, number_blocks({surface_move(path)}));

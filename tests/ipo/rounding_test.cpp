@@ -14,7 +14,7 @@ using namespace softcnc::ipo;
 namespace {
 
 /// A corner of 90 degrees at t = 10, spread over 2 w.
-NurbsSpec corner(double width) {
+NurbsSpec spread_corner(double width) {
   const std::array edges{PolylineEdge{0, {0, 0, 0}, {1, 0, 0}},
                          PolylineEdge{10, {10, 0, 0}, {0, 1, 0}}};
   const std::array turns{spread_evenly(10, {-1, 1, 0}, width)};
@@ -24,7 +24,7 @@ NurbsSpec corner(double width) {
 }  // namespace
 
 TEST_CASE("a corner's middle is w / 6 of its kink away", "[rounding]") {
-  const Nurbs curve = Nurbs::make(corner(0.6)).value();
+  const Nurbs curve = Nurbs::make(spread_corner(0.6)).value();
   const AxisVector off = curve.position(0.5 * curve.length()) - AxisVector(10, 0, 0);
   CHECK((off - AxisVector(-0.1, 0.1, 0)).norm() < 1e-12);
   CHECK(rounding(0, 0.6) == Approx(0.1));
@@ -33,7 +33,7 @@ TEST_CASE("a corner's middle is w / 6 of its kink away", "[rounding]") {
 }
 
 TEST_CASE("a corner begins and ends straight, on its lines", "[rounding]") {
-  const Nurbs curve = Nurbs::make(corner(0.6)).value();
+  const Nurbs curve = Nurbs::make(spread_corner(0.6)).value();
   const PathPoint begin = curve.at(0), end = curve.at(curve.length(), Side::before);
   CHECK((begin.q - AxisVector(9.4, 0, 0)).norm() < 1e-12);
   CHECK((begin.dq - AxisVector(1, 0, 0)).norm() < 1e-12);

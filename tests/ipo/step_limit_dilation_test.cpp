@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "support/period.hpp"
 #include "support/property.hpp"
 
 using namespace softcnc;
@@ -11,8 +12,6 @@ using namespace softcnc::ipo;
 using namespace softcnc::test;
 
 namespace {
-
-constexpr double kPeriod = 0.001;
 
 struct Spread {
   std::vector<double> nodes, inside;  // q

@@ -18,7 +18,7 @@ using namespace softcnc::ipo;
 
 namespace {
 
-constexpr double kRadius = 10;  // mm: of circle_deg2, about the origin
+constexpr double kRadiusOfDeg2 = 10;  // mm: of circle_deg2, about the origin
 
 double angle_of(const AxisVector& point) { return std::atan2(point[1], point[0]); }
 
@@ -74,7 +74,7 @@ TEST_CASE("a step of Runge and Kutta has an error of order five", "[methods]") {
     ParameterWalk walk = walk_at(circle, Method::rk4, 5);
     const double before = angle_of(walk.position());
     walk.step(ds);
-    return std::abs(kRadius * (angle_of(walk.position()) - before) - ds);
+    return std::abs(kRadiusOfDeg2 * (angle_of(walk.position()) - before) - ds);
   };
   // 4.36e-8 mm for a step of 1 mm, computed independently.
   CHECK(error(1) == Approx(4.36e-8).epsilon(0.01));
@@ -121,7 +121,7 @@ TEST_CASE("equal chords of Yeh and Hsu turn by equal angles on a circle", "[meth
   for (std::size_t i = 10; i < 50; ++i) {
     const double turn = angle_of(result.rows[i].position) - angle_of(result.rows[i - 1].position);
     REQUIRE(std::remainder(turn, 2 * M_PI) ==
-            Approx(2 * std::asin(chord / (2 * kRadius))).epsilon(2e-5));
+            Approx(2 * std::asin(chord / (2 * kRadiusOfDeg2))).epsilon(2e-5));
   }
 }
 
@@ -133,11 +133,12 @@ TEST_CASE("the adaptive feed of Yeh and Hsu keeps the chord tolerance on a circl
   const auto blocks = [](double feed) {
     return test::number_blocks({Move{test::curve("circle_deg2"), false, feed, PathMode::follow}});
   };
-  const double inner = kRadius - tolerance;
-  const double longest = 2 * std::sqrt(kRadius * kRadius - inner * inner);
+  const double inner = kRadiusOfDeg2 - tolerance;
+  const double longest = 2 * std::sqrt(kRadiusOfDeg2 * kRadiusOfDeg2 - inner * inner);
   const auto limited = test::run(machine, blocks(1000));
   CHECK(limited.measured.chord_error == Approx(tolerance).epsilon(0.005));
-  CHECK(static_cast<double>(limited.rows.size()) == Approx(2 * M_PI * kRadius / longest).margin(3));
+  CHECK(static_cast<double>(limited.rows.size()) ==
+        Approx(2 * M_PI * kRadiusOfDeg2 / longest).margin(3));
   // Where the asked speed is smaller, it counts.
   const double feed = 0.5 * longest / period;
   const auto asked = test::run(machine, blocks(feed));
@@ -149,7 +150,7 @@ TEST_CASE("in a part of a period a method takes that part of its longest step", 
   const Nurbs circle = test::curve("circle_deg2");
   WalkPlace place{&circle, 0, 0, {circle.point(0), {}, {}}, 1, 1e-3};
   const double whole[] = {three_point_longest(place), yeh_hsu_2002_longest(place)};
-  CHECK(whole[0] == Approx(std::sqrt(8e-3 * kRadius)).epsilon(1e-9));
+  CHECK(whole[0] == Approx(std::sqrt(8e-3 * kRadiusOfDeg2)).epsilon(1e-9));
   place.part = 0.25;
   CHECK(three_point_longest(place) == Approx(0.25 * whole[0]).epsilon(1e-12));
   CHECK(yeh_hsu_2002_longest(place) == Approx(0.25 * whole[1]).epsilon(1e-12));
@@ -168,7 +169,7 @@ TEST_CASE("in a part of a period a method takes that part of its longest step", 
 
 TEST_CASE("a radius below the tolerance leaves a step of two tolerances", "[methods]") {
   const Nurbs circle = test::curve("circle_deg2");
-  const WalkPlace place{&circle, 0, 0, {circle.point(0), {}, {}}, 1, 2 * kRadius};
-  CHECK(curvature_at(place) == Approx(1 / kRadius));
-  CHECK(yeh_hsu_2002_longest(place) == Approx(4 * kRadius));
+  const WalkPlace place{&circle, 0, 0, {circle.point(0), {}, {}}, 1, 2 * kRadiusOfDeg2};
+  CHECK(curvature_at(place) == Approx(1 / kRadiusOfDeg2));
+  CHECK(yeh_hsu_2002_longest(place) == Approx(4 * kRadiusOfDeg2));
 }

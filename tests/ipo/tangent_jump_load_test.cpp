@@ -5,10 +5,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 
+#include "support/machines.hpp"
+#include "support/period.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"
 #include "support/run.hpp"
@@ -18,8 +19,6 @@ using namespace softcnc;
 using namespace softcnc::test;
 
 namespace {
-
-constexpr double kPeriod = 1e-3;
 
 /// A polyline in the plane with its length from the first point to each.
 struct Lines {
@@ -70,15 +69,9 @@ ipo::TangentJumpLoad load_around(const Lines& lines, std::size_t n, double accel
   return load;
 }
 
-Machine machine_with(double acceleration, double tolerance = 1e-3) {
-  Machine machine;
-  machine.limits.feed = 0;
+Machine jerkless_machine(double acceleration, double tolerance = 1e-3) {
+  Machine machine = machine_with(1000, acceleration, 0);
   machine.control.chord_tolerance = tolerance;
-  for (Axis& axis : machine.axes) {
-    axis.velocity = 1000;
-    axis.acceleration = acceleration;
-    axis.jerk = 0;
-  }
   return machine;
 }
 
@@ -148,7 +141,7 @@ TEST_CASE("a circle chopped into chords is run exactly as fast as the circle", "
   const auto [radius, chord, feed] = GENERATE(table<double, double, double>(
       {{20, 0.05, 100}, {20, 0.15, 200}, {50, 0.3, 300}, {5, 0.01, 50}}));
   CAPTURE(radius, chord, feed);
-  const Machine machine = machine_with(1000);
+  const Machine machine = jerkless_machine(1000);
   const int chords = static_cast<int>(2 * std::numbers::pi * radius / chord);
   std::vector<AxisVector> points;
   for (int i = 0; i <= chords; ++i) {
@@ -168,7 +161,7 @@ TEST_CASE("a joint that may only be passed slowly takes no longer than a stop, w
   const auto [jerk, acceleration, period] = GENERATE(table<double, double, double>(
       {{5e3, 1e3, 1e-3}, {5e4, 1e3, 5e-4}, {0, 50, 5e-4}, {0, 200, 1e-3}}));
   CAPTURE(jerk, acceleration, period);
-  Machine machine = machine_with(acceleration);
+  Machine machine = jerkless_machine(acceleration);
   machine.control.period = period;
   for (Axis& axis : machine.axes) axis.jerk = jerk;
   double before = 1e9;
@@ -187,7 +180,6 @@ TEST_CASE("a joint that may only be passed slowly takes no longer than a stop, w
 
 TEST_CASE("random lines without corners keep every limit under random overrides, stops and holds",
           "[ipo][kink][property]") {
-  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
   holds(
       [] {
         std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));
@@ -215,7 +207,5 @@ TEST_CASE("random lines without corners keep every limit under random overrides,
         RC_ASSERT(exceeded(machine, controlled) == "");
         RC_ASSERT(controlled.rows.back().position == last);
       },
-      asked        ? std::atoi(asked)
-      : kSanitized ? 30
-                   : 300);
+      programs_asked(kSanitized ? 30 : 300));
 }

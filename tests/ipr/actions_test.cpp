@@ -7,8 +7,6 @@
 namespace softcnc::ipr {
 namespace {
 
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
 std::vector<Action> actions_of(const std::string& program, InterpreterOptions options = {}) {
   std::vector<Action> actions;
   for (const Block& block : blocks_of(program, {}, options))

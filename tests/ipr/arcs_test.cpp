@@ -10,7 +10,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Arc only_arc(const std::string& program) {
   auto moves = moves_of(program);
@@ -30,29 +30,29 @@ TEST_CASE("an arc by its centre goes round it", "[ipr][arcs]") {
   const Arc arc = only_arc("F100 G00 X10 Y0\nG03 X0 Y10 I-10 J0\nM30\n");
   check_near(arc.center(), {0, 0, 0});
   CHECK(arc.ccw());
-  CHECK(arc.sweep() == Approx(kPi / 2).epsilon(1e-14));
+  CHECK(arc.sweep() == Approx(pi / 2).epsilon(1e-14));
   check_near(arc.position(arc.length() / 2), {10 * std::sqrt(0.5), 10 * std::sqrt(0.5), 0});
 }
 
 TEST_CASE("clockwise is the other way round", "[ipr][arcs]") {
   const Arc arc = only_arc("F100 G00 X10 Y0\nG02 X0 Y10 I-10 J0\nM30\n");
-  CHECK(arc.sweep() == Approx(-3 * kPi / 2).epsilon(1e-14));
+  CHECK(arc.sweep() == Approx(-3 * pi / 2).epsilon(1e-14));
 }
 
 TEST_CASE("an arc without an end in its plane is a full circle", "[ipr][arcs]") {
   const Arc circle = only_arc("F100 G00 X10 Y0\nG02 I-10\nM30\n");
-  CHECK(circle.sweep() == Approx(-2 * kPi).epsilon(1e-14));
+  CHECK(circle.sweep() == Approx(-2 * pi).epsilon(1e-14));
   const Arc helix = only_arc("F100 G00 X10 Y0\nG03 I-10 Z-4\nM30\n");
-  CHECK(helix.length() == Approx(std::hypot(20 * kPi, 4)).epsilon(1e-14));
+  CHECK(helix.length() == Approx(std::hypot(20 * pi, 4)).epsilon(1e-14));
   CHECK(helix.to().z() == -4);
 }
 
 TEST_CASE("an end rounded to 3 decimals leaves a nearly full circle what it is", "[ipr][arcs]") {
   const Arc on_ray = only_arc("F100 G00 X10\nG03 X9.999 Y0 I-10\nM30\n");
-  CHECK(on_ray.sweep() == Approx(2 * kPi).epsilon(1e-14));
-  CHECK(on_ray.length() == Approx(2 * kPi * 9.9995).epsilon(1e-8));
+  CHECK(on_ray.sweep() == Approx(2 * pi).epsilon(1e-14));
+  CHECK(on_ray.length() == Approx(2 * pi * 9.9995).epsilon(1e-8));
   const Arc gap = only_arc("F100 G00 X10\nG03 X9.999 Y-0.1 I-10 J0\nM30\n");
-  CHECK(gap.sweep() == Approx(2 * kPi - std::atan2(0.1, 9.999)).epsilon(1e-14));
+  CHECK(gap.sweep() == Approx(2 * pi - std::atan2(0.1, 9.999)).epsilon(1e-14));
   check_near(gap.center(), {0, 0, 0});
 }
 
@@ -66,36 +66,36 @@ TEST_CASE("the end of an arc may be off its circle by more in inches", "[ipr][ar
 
 TEST_CASE("the planes have their own axes and their own sense", "[ipr][arcs]") {
   // Quarter circles counter-clockwise, seen against the axis across the plane.
-  check_near(only_arc("G17 F100 G00 X10\nG03 X0 Y10 I-10\nM30\n").position(10 * kPi / 4),
+  check_near(only_arc("G17 F100 G00 X10\nG03 X0 Y10 I-10\nM30\n").position(10 * pi / 4),
              {10 * std::sqrt(0.5), 10 * std::sqrt(0.5), 0});
-  check_near(only_arc("G18 F100 G00 Z10\nG03 Z0 X10 K-10\nM30\n").position(10 * kPi / 4),
+  check_near(only_arc("G18 F100 G00 Z10\nG03 Z0 X10 K-10\nM30\n").position(10 * pi / 4),
              {10 * std::sqrt(0.5), 0, 10 * std::sqrt(0.5)});
-  check_near(only_arc("G19 F100 G00 Y10\nG03 Y0 Z10 J-10\nM30\n").position(10 * kPi / 4),
+  check_near(only_arc("G19 F100 G00 Y10\nG03 Y0 Z10 J-10\nM30\n").position(10 * pi / 4),
              {0, 10 * std::sqrt(0.5), 10 * std::sqrt(0.5)});
 }
 
 TEST_CASE("a positive R is the short arc, a negative one the long arc", "[ipr][arcs]") {
   const Arc narrow = only_arc("F100\nG03 X10 Y0 R10\nM30\n");
-  CHECK(narrow.sweep() == Approx(kPi / 3).epsilon(1e-12));
+  CHECK(narrow.sweep() == Approx(pi / 3).epsilon(1e-12));
   check_near(narrow.center(), {5, std::sqrt(75.0), 0});
   const Arc wide = only_arc("F100\nG03 X10 Y0 R-10\nM30\n");
-  CHECK(wide.sweep() == Approx(5 * kPi / 3).epsilon(1e-12));
+  CHECK(wide.sweep() == Approx(5 * pi / 3).epsilon(1e-12));
   check_near(wide.center(), {5, -std::sqrt(75.0), 0});
-  CHECK(only_arc("F100\nG02 X10 Y0 R10\nM30\n").sweep() == Approx(-kPi / 3).epsilon(1e-12));
-  CHECK(only_arc("F100\nG02 X10 Y0 R-10\nM30\n").sweep() == Approx(-5 * kPi / 3).epsilon(1e-12));
+  CHECK(only_arc("F100\nG02 X10 Y0 R10\nM30\n").sweep() == Approx(-pi / 3).epsilon(1e-12));
+  CHECK(only_arc("F100\nG02 X10 Y0 R-10\nM30\n").sweep() == Approx(-5 * pi / 3).epsilon(1e-12));
 }
 
 TEST_CASE("an R that falls short by rounding is a half circle", "[ipr][arcs]") {
   const Arc arc = only_arc("F100\nG03 X20 R9.999\nM30\n");
-  CHECK(std::abs(arc.sweep()) == Approx(kPi).epsilon(1e-6));
+  CHECK(std::abs(arc.sweep()) == Approx(pi).epsilon(1e-6));
 }
 
 TEST_CASE("centre and radius tell the same arc", "[ipr][arcs][property]") {
   test::holds([] {
     const double radius = test::real(0.5, 50);
-    const double from = test::real(0, 2 * kPi), sweep = test::real(0.05, kPi - 0.05);
+    const double from = test::real(0, 2 * pi), sweep = test::real(0.05, pi - 0.05);
     const bool ccw = test::integer(0, 1) == 1, wide = test::integer(0, 1) == 1;
-    const double turn = (ccw ? 1 : -1) * (wide ? 2 * kPi - sweep : sweep);
+    const double turn = (ccw ? 1 : -1) * (wide ? 2 * pi - sweep : sweep);
     const auto word = [](char letter, double value) {
       std::array<char, 48> text{};
       std::snprintf(text.data(), text.size(), "%c%.12f ", letter, value);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "ipr/interpret.hpp"
+#include "support/files.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -22,11 +23,6 @@ std::vector<std::filesystem::path> files() {
     if (entry.path().extension() == ".nc") all.push_back(entry.path());
   std::sort(all.begin(), all.end());
   return all;
-}
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// What is between "(expect" and ")" on the first line; in UTF-16 too.
@@ -80,11 +76,9 @@ InterpreterOptions options_for(const std::string& expectation) {
 }
 
 Interpreted read_bad(const std::filesystem::path& file) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = test::bytes_of(file);
   return interpret(bytes, machine_for(expectation(bytes)), options_for(expectation(bytes)));
 }
-
-using Lines = std::vector<std::string>;
 
 /// As softcnc shows it, without the source line: file, line, column, severity, code and text.
 std::string first_line(Diagnostic diagnostic, const std::filesystem::path& file) {
@@ -94,9 +88,9 @@ std::string first_line(Diagnostic diagnostic, const std::filesystem::path& file)
 }
 
 /// tests/bad/expected.txt, by the file that each line begins with.
-std::map<std::string, Lines> expected_lines() {
+std::map<std::string, Told> expected_lines() {
   std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/tests/bad/expected.txt");
-  std::map<std::string, Lines> expected;
+  std::map<std::string, Told> expected;
   for (std::string line; std::getline(stream, line);)
     expected[line.substr(0, line.find(':'))].push_back(line);
   return expected;
@@ -118,17 +112,17 @@ TEST_CASE("a bad program is reported what is wrong with it, where, and nothing e
           "[ipr][bad]") {
   for (const auto& file : files()) {
     INFO(file.filename().string());
-    CHECK(places(read_bad(file)) == expected_places(expectation(bytes_of(file))));
+    CHECK(places(read_bad(file)) == expected_places(expectation(test::bytes_of(file))));
   }
 }
 
 TEST_CASE("every diagnostic of a bad program has its place, its code and its text together",
           "[ipr][bad]") {
-  std::map<std::string, Lines> reported;
+  std::map<std::string, Told> reported;
   for (const auto& file : files())
     for (const Diagnostic& diagnostic : read_bad(file).diagnostics)
       reported[file.filename().string()].push_back(first_line(diagnostic, file));
-  std::map<std::string, Lines> expected = expected_lines();
+  std::map<std::string, Told> expected = expected_lines();
   for (const auto& [file, lines] : reported) CHECK(lines == expected[file]);
   for (const auto& [file, lines] : expected) CHECK(reported[file] == lines);
 }

@@ -5,11 +5,7 @@
 #include "ipr/curves.hpp"
 
 namespace softcnc::ipr {
-namespace {
-
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("G05 is the cubic of its end and its two control points", "[ipr][bezier]") {
   const auto curves = curves_of("G00 X1 Y2 F600\nG05 I3 J6 P-4 Q5 X20 Y-3\nM30\n");

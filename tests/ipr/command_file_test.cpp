@@ -42,7 +42,7 @@ void check_same_moves(const std::vector<Move>& some, const std::vector<Move>& ot
   }
 }
 
-std::string table_for_users() {
+std::string command_table_for_users() {
   std::string all = "| command | numbers | what it does |\n|---|---|---|\n";
   for (const CommandRow& row : command_table())
     all += "| " + std::string(row.name) + " | " + std::string(row.numbers) + " | " +
@@ -254,8 +254,8 @@ TEST_CASE("no sequence of fields breaks what holds for every program",
 TEST_CASE("docs/commands.md shows the table as it is", "[ipr][commands][docs]") {
   std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/docs/commands.md");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
-  INFO("expected in docs/commands.md:\n" << table_for_users());
-  CHECK(page.find(table_for_users()) != std::string::npos);
+  INFO("expected in docs/commands.md:\n" << command_table_for_users());
+  CHECK(page.find(command_table_for_users()) != std::string::npos);
 }
 
 }  // namespace softcnc::ipr

@@ -12,7 +12,7 @@
 namespace softcnc::ipr {
 namespace {
 
-Machine mill() {
+Machine compensation_mill() {
   Machine machine;
   machine.tools[1].radius = 5;
   machine.tools[2].radius = 3;
@@ -21,16 +21,16 @@ Machine mill() {
   return machine;
 }
 
-std::vector<Move> moves(const std::string& text) {
-  return moves_of("T1 M06 F100\n" + text + "\nM02\n", mill());
+std::vector<Move> compensated_moves(const std::string& text) {
+  return moves_of("T1 M06 F100\n" + text + "\nM02\n", compensation_mill());
 }
 
 /// Ends of the moves; of an arc its centre, and its sense as the height (1: counter-clockwise),
 /// stand after its end.
-std::vector<AxisVector> ends(const std::string& text) {
+std::vector<AxisVector> compensated_ends(const std::string& text) {
   std::vector<AxisVector> all;
   AxisVector position = AxisVector::Zero();
-  for (const Move& move : moves(text)) {
+  for (const Move& move : compensated_moves(text)) {
     CHECK((start(move.path) - position).norm() < 1e-9);
     all.push_back(position = end(move.path));
     if (const auto* arc = std::get_if<Arc>(&move.path))
@@ -39,9 +39,9 @@ std::vector<AxisVector> ends(const std::string& text) {
   return all;
 }
 
-void check_ends(const std::string& text, const std::vector<AxisVector>& expected) {
+void check_compensated(const std::string& text, const std::vector<AxisVector>& expected) {
   INFO(text);
-  const std::vector<AxisVector> all = ends(text);
+  const std::vector<AxisVector> all = compensated_ends(text);
   REQUIRE(all.size() == expected.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     INFO(i << ": " << all[i].transpose());
@@ -49,25 +49,25 @@ void check_ends(const std::string& text, const std::vector<AxisVector>& expected
   }
 }
 
-Places reported(const std::string& text) {
-  return places(interpret("T1 M06 F100\n" + text + "\nM02\n", mill()));
+Places reported_of_compensation(const std::string& text) {
+  return places(interpret("T1 M06 F100\n" + text + "\nM02\n", compensation_mill()));
 }
 
 }  // namespace
 
 TEST_CASE("the tool enters beside the end, goes round outside corners and cuts inside ones off",
           "[ipr][compensation]") {
-  check_ends("G41 G01 X10 Y10\nX30\nY40\nX0\nG40 X-20", {{6.46446609406, 13.5355339059, 0},
-                                                         {10, 15, 0},
-                                                         {10, 10, -1},
-                                                         {25, 15, 0},
-                                                         {25, 35, 0},
-                                                         {0, 35, 0},
-                                                         {-20, 40, 0}});
+  check_compensated("G41 G01 X10 Y10\nX30\nY40\nX0\nG40 X-20", {{6.46446609406, 13.5355339059, 0},
+                                                                {10, 15, 0},
+                                                                {10, 10, -1},
+                                                                {25, 15, 0},
+                                                                {25, 35, 0},
+                                                                {0, 35, 0},
+                                                                {-20, 40, 0}});
 }
 
 TEST_CASE("arcs are cut off at lines and at each other", "[ipr][compensation]") {
-  check_ends(
+  check_compensated(
       "G41 G01 X10 Y10\nX30\nG02 X50 Y10 R12\nG02 X70 Y10 R12\nG03 X70 Y50 R30\nG03 X50 Y50 R11",
       {{6.46446609406, 13.5355339059, 0},
        {10, 15, 0},
@@ -83,42 +83,43 @@ TEST_CASE("arcs are cut off at lines and at each other", "[ipr][compensation]") 
        {70, 50, -1},
        {54.5454545455, 47.9170110477, 0},
        {60, 45.4174243050, 1}});
-  check_ends("G41 G01 X10 Y10\nG02 X30 Y10 I10 J0\nG01 X50\nG03 X60 Y20 J10\nG40 G01 X0 Y0",
-             {{5.16806546031, 12.2391332722, 0},
-              {34.1421356237, 15, 0},
-              {20, 10, -1},
-              {50, 15, 0},
-              {55, 20, 0},
-              {50, 20, 1},
-              {0, 0, 0}});
+  check_compensated("G41 G01 X10 Y10\nG02 X30 Y10 I10 J0\nG01 X50\nG03 X60 Y20 J10\nG40 G01 X0 Y0",
+                    {{5.16806546031, 12.2391332722, 0},
+                     {34.1421356237, 15, 0},
+                     {20, 10, -1},
+                     {50, 15, 0},
+                     {55, 20, 0},
+                     {50, 20, 1},
+                     {0, 0, 0}});
 }
 
 TEST_CASE("an arc as the first move ends beside its end in the same direction",
           "[ipr][compensation]") {
-  check_ends("G41 G03 X10 Y10 R10\nX30 R40", {{5, 10, 0},
-                                              {-7.5, 10, 1},
-                                              {11.25, 14.8412291828, 0},
-                                              {10, 10, -1},
-                                              {28.75, 14.8412291828, 0},
-                                              {20, 48.7298334621, 1}});
-  check_ends("G41 G02 X10 Y0 R10\nG01 X30",
-             {{11.0472717803, 5, 0}, {8.125, -3.24759526419, -1}, {30, 5, 0}});
+  check_compensated("G41 G03 X10 Y10 R10\nX30 R40", {{5, 10, 0},
+                                                     {-7.5, 10, 1},
+                                                     {11.25, 14.8412291828, 0},
+                                                     {10, 10, -1},
+                                                     {28.75, 14.8412291828, 0},
+                                                     {20, 48.7298334621, 1}});
+  check_compensated("G41 G02 X10 Y0 R10\nG01 X30",
+                    {{11.0472717803, 5, 0}, {8.125, -3.24759526419, -1}, {30, 5, 0}});
 }
 
 TEST_CASE("a tool of negative radius runs on the other side", "[ipr][compensation]") {
-  check_ends("G41 D3 G01 X10 Y10\nX30", {{10.8284271247, 8, 0}, {30, 8, 0}});
-  check_ends("G41.1 D-3 G01 X10 Y10\nX30", {{10.6213203436, 8.5, 0}, {30, 8.5, 0}});
-  check_ends("G42.1 D3 G01 X10 Y10\nX30", {{10.6213203436, 8.5, 0}, {30, 8.5, 0}});
-  check_ends("G42 G01 X10 Y10\nX30", {{12.0710678119, 5, 0}, {30, 5, 0}});
+  check_compensated("G41 D3 G01 X10 Y10\nX30", {{10.8284271247, 8, 0}, {30, 8, 0}});
+  check_compensated("G41.1 D-3 G01 X10 Y10\nX30", {{10.6213203436, 8.5, 0}, {30, 8.5, 0}});
+  check_compensated("G42.1 D3 G01 X10 Y10\nX30", {{10.6213203436, 8.5, 0}, {30, 8.5, 0}});
+  check_compensated("G42 G01 X10 Y10\nX30", {{12.0710678119, 5, 0}, {30, 5, 0}});
 }
 
 TEST_CASE("the diameter of G41.1 is in the units in force", "[ipr][compensation]") {
-  check_ends("G20\nG41.1 D1 G01 X1 Y0\nX2", {{25.4, 12.7, 0}, {50.8, 12.7, 0}});
+  check_compensated("G20\nG41.1 D1 G01 X1 Y0\nX2", {{25.4, 12.7, 0}, {50.8, 12.7, 0}});
 }
 
 TEST_CASE("what stands between two moves of the contour keeps its place", "[ipr][compensation]") {
-  const auto blocks = blocks_of(
-      "T1 M06 F100\nG42 G01 X10 Y10\nX30\nZ-5\nG04 P1\nM03 S100\nF200 Y40\nM02\n", mill());
+  const auto blocks =
+      blocks_of("T1 M06 F100\nG42 G01 X10 Y10\nX30\nZ-5\nG04 P1\nM03 S100\nF200 Y40\nM02\n",
+                compensation_mill());
   REQUIRE(blocks.size() == 9);
   const auto move = [&](std::size_t i) { return std::get<Move>(blocks[i].what); };
   CHECK((end(move(2).path) - AxisVector(30, 5, 0)).norm() < 1e-9);
@@ -135,9 +136,9 @@ TEST_CASE("what stands between two moves of the contour keeps its place", "[ipr]
 }
 
 TEST_CASE("heights change evenly along the moves of the tool", "[ipr][compensation]") {
-  check_ends("G41 G01 X20\nX50 Z-3\nY40 Z-6\nX20 Z-7",
-             {{20, 5, 0}, {45, 5, -3}, {45, 35, -6}, {20, 35, -7}});
-  const auto helix = moves("G41 G01 X20\nG03 X20 Y0 I0 J20 Z-10 \nG01 X40");
+  check_compensated("G41 G01 X20\nX50 Z-3\nY40 Z-6\nX20 Z-7",
+                    {{20, 5, 0}, {45, 5, -3}, {45, 35, -6}, {20, 35, -7}});
+  const auto helix = compensated_moves("G41 G01 X20\nG03 X20 Y0 I0 J20 Z-10 \nG01 X40");
   const Arc& arc = std::get<Arc>(helix[1].path);
   CHECK(arc.radius() == Approx(15));
   CHECK(std::abs(arc.sweep()) == Approx(2 * std::numbers::pi));
@@ -146,7 +147,8 @@ TEST_CASE("heights change evenly along the moves of the tool", "[ipr][compensati
 
 TEST_CASE("a full circle keeps its turn on either side", "[ipr][compensation]") {
   for (const auto& [code, radius] : {std::pair("G41", 15.0), std::pair("G42", 25.0)}) {
-    const auto circle = moves(std::string(code) + " G01 X33.3\nG03 I0 J20\nG40 G01 X0 Y50");
+    const auto circle =
+        compensated_moves(std::string(code) + " G01 X33.3\nG03 I0 J20\nG40 G01 X0 Y50");
     const auto* arc = std::get_if<Arc>(&circle[circle.size() - 2].path);
     REQUIRE(arc != nullptr);
     CHECK(arc->radius() == Approx(radius));
@@ -155,7 +157,7 @@ TEST_CASE("a full circle keeps its turn on either side", "[ipr][compensation]") 
 }
 
 TEST_CASE("rapids go beside the contour too, round corners as well", "[ipr][compensation]") {
-  const auto all = moves("G41 G01 X30\nG00 X60\nY-20");
+  const auto all = compensated_moves("G41 G01 X30\nG00 X60\nY-20");
   REQUIRE(all.size() == 4);
   CHECK(std::holds_alternative<Arc>(all[2].path));
   CHECK(all[2].rapid);
@@ -163,11 +165,11 @@ TEST_CASE("rapids go beside the contour too, round corners as well", "[ipr][comp
 }
 
 TEST_CASE("the other planes", "[ipr][compensation]") {
-  const auto zx = moves("G18 G42 G01 Z20\nZ40\nX30\nG40 Z80");
+  const auto zx = compensated_moves("G18 G42 G01 Z20\nZ40\nX30\nG40 Z80");
   REQUIRE(zx.size() == 5);  // seen against Y: Z to the right, X up; the tool right of Z is below
   CHECK((end(zx[1].path) - AxisVector(-5, 0, 40)).norm() < 1e-9);
   CHECK((end(zx[3].path) - AxisVector(30, 0, 45)).norm() < 1e-9);
-  const auto yz = moves("G19 G41 G01 Y20\nY40\nZ30\nG40 Z80");
+  const auto yz = compensated_moves("G19 G41 G01 Y20\nY40\nZ30\nG40 Z80");
   CHECK((end(yz[1].path) - AxisVector(0, 35, 5)).norm() < 1e-9);
   CHECK((end(yz[2].path) - AxisVector(0, 35, 30)).norm() < 1e-9);
 }
@@ -178,7 +180,7 @@ TEST_CASE("the tool follows a turned work system", "[ipr][compensation]") {
   Diagnostics diagnostics;
   Reader reader = Reader::from_text("T1 M06 F100\nG41 G01 X20\nX40\nM02\n");
   Parser parser(reader, diagnostics);
-  const Machine machine = mill();
+  const Machine machine = compensation_mill();
   Interpreter interpreter(parser, machine, diagnostics, {}, state);
   interpreter.next();
   interpreter.next();
@@ -205,7 +207,7 @@ TEST_CASE("a turned work system tilts the other planes", "[ipr][compensation]") 
 TEST_CASE("an arc that enters keeps its turns", "[ipr][compensation]") {
   const auto sweep = [](const std::string& turns) {
     const std::vector<Move> all =
-        moves("G0 X-10 Y-20\nG41 D4\nG3 X20 Y0 Z-6 R40" + turns + "\nG1 Y40");
+        compensated_moves("G0 X-10 Y-20\nG41 D4\nG3 X20 Y0 Z-6 R40" + turns + "\nG1 Y40");
     return std::get<Arc>(all[1].path).sweep();
   };
   const double last = sweep("");
@@ -214,77 +216,85 @@ TEST_CASE("an arc that enters keeps its turns", "[ipr][compensation]") {
 }
 
 TEST_CASE("after G40 the tool leaves on a line", "[ipr][compensation]") {
-  check_ends("G41 G01 X20\nX40\nG40\nG00 Z10\nX40 Y0\nX50",
-             {{20, 5, 0}, {40, 5, 0}, {40, 5, 10}, {40, 0, 10}, {50, 0, 10}});
-  check_ends("G41 G01 X20\nX40\nG40 X40 Y0", {{20, 5, 0}, {40, 5, 0}, {40, 0, 0}});
-  check_ends("G41 G01 X20\nX40\nG40\nG91 X10", {{20, 5, 0}, {40, 5, 0}, {50, 0, 0}});
+  check_compensated("G41 G01 X20\nX40\nG40\nG00 Z10\nX40 Y0\nX50",
+                    {{20, 5, 0}, {40, 5, 0}, {40, 5, 10}, {40, 0, 10}, {50, 0, 10}});
+  check_compensated("G41 G01 X20\nX40\nG40 X40 Y0", {{20, 5, 0}, {40, 5, 0}, {40, 0, 0}});
+  check_compensated("G41 G01 X20\nX40\nG40\nG91 X10", {{20, 5, 0}, {40, 5, 0}, {50, 0, 0}});
 }
 
 TEST_CASE("after G40 a move across the plane alone goes straight, in every plane",
           "[ipr][compensation]") {
-  const auto reported = [](const std::string& text) {
-    const auto result = interpret("F100\n" + text + "\nM02\n", mill());
+  const auto message = [](const std::string& text) {
+    const auto result = interpret("F100\n" + text + "\nM02\n", compensation_mill());
     REQUIRE(result.diagnostics.size() == 1);
     return result.diagnostics.front().message;
   };
-  check_ends("G18 G41.1 D10 G01 Z20\nZ40\nG40\nG01 Y7", {{5, 0, 20}, {5, 0, 40}, {5, 7, 40}});
+  check_compensated("G18 G41.1 D10 G01 Z20\nZ40\nG40\nG01 Y7",
+                    {{5, 0, 20}, {5, 0, 40}, {5, 7, 40}});
   CHECK(
-      reported("G41.1 D3 G1 X10 Y0\nG1 X20\nG40\nG0 Z10\nG2 X30 Y0 I5 J0") ==
+      message("G41.1 D3 G1 X10 Y0\nG1 X20\nG40\nG0 Z10\nG2 X30 Y0 I5 J0") ==
       "G02 after G40, which leaves the tool beside the contour, at X20 Y1.5; the first move in the "
       "plane leads away on a line");
-  CHECK(reported("G20 G41.1 D0.1 G1 X1 Y0 F4\nG1 X2\nG40\nG3 X3 Y0 I0.5 J0").find("at X2 Y0.05;") !=
+  CHECK(message("G20 G41.1 D0.1 G1 X1 Y0 F4\nG1 X2\nG40\nG3 X3 Y0 I0.5 J0").find("at X2 Y0.05;") !=
         std::string::npos);
 }
 
 TEST_CASE("a program may end beside the contour", "[ipr][compensation]") {
-  check_ends("G41 G01 X20\nX40", {{20, 5, 0}, {40, 5, 0}});
-  CHECK(ends("G41 G01 X20\nX40 M30").size() == 2);
+  check_compensated("G41 G01 X20\nX40", {{20, 5, 0}, {40, 5, 0}});
+  CHECK(compensated_ends("G41 G01 X20\nX40 M30").size() == 2);
 }
 
 TEST_CASE("moves across the plane may come before the first one in it", "[ipr][compensation]") {
-  check_ends("G41\nG01 Z-5\nX20\nX40", {{0, 0, -5}, {20, 5, -5}, {40, 5, -5}});
+  check_compensated("G41\nG01 Z-5\nX20\nX40", {{0, 0, -5}, {20, 5, -5}, {40, 5, -5}});
 }
 
 TEST_CASE("with a radius of 0 moves stay as they are", "[ipr][compensation]") {
-  const auto result = interpret("F100 G41 G01 X10\nY10\nX2\nG40 X0\nM02\n", mill());
+  const auto result = interpret("F100 G41 G01 X10\nY10\nX2\nG40 X0\nM02\n", compensation_mill());
   CHECK(places(result) == Places{"SC2148 1:6"});
   CHECK(result.blocks.size() == 5);
 }
 
 TEST_CASE("a path that goes back goes round its end", "[ipr][compensation]") {
-  check_ends("G42 G01 X10 Y10\nX30\nX10",
-             {{12.0710678119, 5, 0}, {30, 5, 0}, {30, 15, 0}, {30, 10, 1}, {10, 15, 0}});
+  check_compensated("G42 G01 X10 Y10\nX30\nX10",
+                    {{12.0710678119, 5, 0}, {30, 5, 0}, {30, 15, 0}, {30, 10, 1}, {10, 15, 0}});
   // The tool would be between the two branches.
-  CHECK(reported("G42 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{});
-  CHECK(reported("G41 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{"SC2146 4:1"});
+  CHECK(reported_of_compensation("G42 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{});
+  CHECK(reported_of_compensation("G41 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{"SC2146 4:1"});
 }
 
 TEST_CASE("a corner that lines miss by rounding is none", "[ipr][compensation]") {
-  CHECK(ends("G41 G01 X20\nX40 Y0.0000001\nX60").size() == 3);
+  CHECK(compensated_ends("G41 G01 X20\nX40 Y0.0000001\nX60").size() == 3);
 }
 
 TEST_CASE("what the tool cannot reach is reported at the move that it would gouge",
           "[ipr][compensation]") {
-  CHECK(reported("G41 G01 X10 Y10\nX30\nX33\nY40") == Places{"SC2146 5:1"});
-  CHECK(reported("G41 G01 X10 Y10\nX33\nY19\nX0") == Places{"SC2147 4:1"});
-  CHECK(reported("G41 G01 X10 Y10\nX33\nY20\nX0") == Places{});  // it just fits
-  CHECK(reported("G41 G01 X10 Y10\nX30\nG03 X30 Y18 R4\nG01 X0") == Places{"SC2145 4:1"});
-  CHECK(reported("G41 G01 X10 Y10\nX30\nG03 X30 Y20 R5\nG01 X0") == Places{"SC2145 4:1"});
-  CHECK(reported("G41 G01 X5\nX20") == Places{"SC2143 2:1"});
+  CHECK(reported_of_compensation("G41 G01 X10 Y10\nX30\nX33\nY40") == Places{"SC2146 5:1"});
+  CHECK(reported_of_compensation("G41 G01 X10 Y10\nX33\nY19\nX0") == Places{"SC2147 4:1"});
+  CHECK(reported_of_compensation("G41 G01 X10 Y10\nX33\nY20\nX0") == Places{});  // it just fits
+  CHECK(reported_of_compensation("G41 G01 X10 Y10\nX30\nG03 X30 Y18 R4\nG01 X0") ==
+        Places{"SC2145 4:1"});
+  CHECK(reported_of_compensation("G41 G01 X10 Y10\nX30\nG03 X30 Y20 R5\nG01 X0") ==
+        Places{"SC2145 4:1"});
+  CHECK(reported_of_compensation("G41 G01 X5\nX20") == Places{"SC2143 2:1"});
 }
 
 TEST_CASE("a move that comes back to its neighbour is reported", "[ipr][compensation]") {
   const std::string entry = "G41.1 D4 G01 X10 Y0\nX50\n";
-  CHECK(reported(entry + "G03 X30.05 Y1 R10\nG01 Y20") == Places{"SC2150 4:1"});
-  CHECK(reported(entry + "G03 X31 Y2 Z-9 R10\nG01 Y20") == Places{});    // at another height
-  CHECK(reported(entry + "G03 X31 Y4.1 R10\nG01 X28 Y20") == Places{});  // it just passes
-  CHECK(reported("G42.1 D4 G01 X10 Y0\nX50\nG02 X30.05 Y-1 R10\nG01 Y-20") == Places{"SC2150 4:1"});
+  CHECK(reported_of_compensation(entry + "G03 X30.05 Y1 R10\nG01 Y20") == Places{"SC2150 4:1"});
+  CHECK(reported_of_compensation(entry + "G03 X31 Y2 Z-9 R10\nG01 Y20") ==
+        Places{});  // at another height
+  CHECK(reported_of_compensation(entry + "G03 X31 Y4.1 R10\nG01 X28 Y20") ==
+        Places{});  // it just passes
+  CHECK(reported_of_compensation("G42.1 D4 G01 X10 Y0\nX50\nG02 X30.05 Y-1 R10\nG01 Y-20") ==
+        Places{"SC2150 4:1"});
   // A full circle and the arc that leaves it, which crosses the contour of its beginning.
-  CHECK(reported("G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
+  CHECK(reported_of_compensation(
+            "G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
         Places{});
   // A line into the arc before: it ends beside the tool's way there, or reaches across it.
-  CHECK(reported("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X4 Y10") == Places{});
-  CHECK(reported("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") ==
+  CHECK(reported_of_compensation("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X4 Y10") ==
+        Places{});
+  CHECK(reported_of_compensation("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") ==
         Places{"SC2150 5:1"});
 }
 
@@ -292,15 +302,20 @@ TEST_CASE("a move that leads back through its neighbour after an outside corner 
           "[ipr][compensation]") {
   const std::string entry = "G41.1 D6 G01 X0 Y10\n";
   // The arc passes over the line, whose other side it is on, and comes down through it.
-  CHECK(reported(entry + "X-40 Y9\nG02 X10 Y-1 R100\nG40 G01 X30 Y-9") == Places{"SC2150 4:1"});
-  CHECK(reported(entry + "X-40 Y9\nG02 X-30 Y9.5 R100\nG40 G01 X30 Y90") == Places{});
-  CHECK(reported(entry + "X-40 Y9\nG01 X10 Y40\nG40 G01 X30 Y90") == Places{});
+  CHECK(reported_of_compensation(entry + "X-40 Y9\nG02 X10 Y-1 R100\nG40 G01 X30 Y-9") ==
+        Places{"SC2150 4:1"});
+  CHECK(reported_of_compensation(entry + "X-40 Y9\nG02 X-30 Y9.5 R100\nG40 G01 X30 Y90") ==
+        Places{});
+  CHECK(reported_of_compensation(entry + "X-40 Y9\nG01 X10 Y40\nG40 G01 X30 Y90") == Places{});
 }
 
 TEST_CASE("an error before the contour, or in it, causes no other", "[ipr][compensation]") {
-  CHECK(reported("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") == Places{"SC2142 2:5"});
-  CHECK(reported("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") == Places{"SC1003 4:2"});
-  CHECK(reported("G41 G01 X20\nX40\nY20 $\nX0\nX-1\nG40 X-9") == Places{"SC1001 4:5"});
+  CHECK(reported_of_compensation("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") ==
+        Places{"SC2142 2:5"});
+  CHECK(reported_of_compensation("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") ==
+        Places{"SC1003 4:2"});
+  CHECK(reported_of_compensation("G41 G01 X20\nX40\nY20 $\nX0\nX-1\nG40 X-9") ==
+        Places{"SC1001 4:5"});
 }
 
 namespace {
@@ -437,7 +452,7 @@ TEST_CASE("in the fanuc dialect the first line leads square to the next move",
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   const auto ends_by = [&](const std::string& text) {
     std::vector<AxisVector> all;
-    for (const Move& move : moves_of("F100 D1\n" + text + "\nM30\n", mill(), fanuc))
+    for (const Move& move : moves_of("F100 D1\n" + text + "\nM30\n", compensation_mill(), fanuc))
       all.push_back(end(move.path));
     return all;
   };
@@ -455,11 +470,11 @@ TEST_CASE("in the fanuc dialect the first line leads square to the next move",
 TEST_CASE("in the fanuc dialect D stays in force", "[ipr][compensation][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   const auto place = [&](const std::string& text) {  // of the tool beside Y20
-    const auto all = moves_of("T1 M06 F100\n" + text + "\nM30\n", mill(), fanuc);
+    const auto all = moves_of("T1 M06 F100\n" + text + "\nM30\n", compensation_mill(), fanuc);
     return end(all.back().path).y();
   };
   const auto told_by = [&](const std::string& text, InterpreterOptions options) {
-    return places(interpret("T1 M06 F100\n" + text + "\nM30\n", mill(), options));
+    return places(interpret("T1 M06 F100\n" + text + "\nM30\n", compensation_mill(), options));
   };
   CHECK(place("G1 G41 D2 X20 Y0\nX40\nG40 Y20\nG41 X60\nX80") == 23);
   CHECK(place("D2\nG1 G41 X20 Y20\nX40") == 23);

@@ -26,19 +26,10 @@ MachineState state_with_tool() {
   return state;
 }
 
-Interpreted run(const std::string& text, Dialect dialect, bool compare = true) {
-  Reader reader = Reader::from_text(text);
-  Diagnostics diagnostics;
-  Parser parser(reader, diagnostics);
-  const Machine machine;
-  InterpreterOptions options;
-  options.dialect = dialect;
+Interpreted run_compared(const std::string& text, Dialect dialect, bool compare = true) {
+  InterpreterOptions options = in(dialect);
   options.compare_dialects = compare;
-  Interpreter interpreter(parser, machine, diagnostics, options, state_with_tool());
-  Interpreted result;
-  while (auto block = interpreter.next()) result.blocks.push_back(std::move(*block));
-  result.diagnostics.assign(diagnostics.all().begin(), diagnostics.all().end());
-  return result;
+  return interpret(text, {}, options, state_with_tool());
 }
 
 struct Print {
@@ -184,9 +175,9 @@ TEST_CASE("what means something else in the other dialect is reported, and is so
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
       CAPTURE(name(dialect), example.program);
-      const Interpreted result = run(example.program, dialect);
+      const Interpreted result = run_compared(example.program, dialect);
       const Dialect other = dialect == Dialect::fanuc ? Dialect::linuxcnc : Dialect::fanuc;
-      const Interpreted there = run(example.program, other);
+      const Interpreted there = run_compared(example.program, other);
       REQUIRE_FALSE(has_errors(result));
       REQUIRE_FALSE(has_errors(there));
       CHECK((deeds(result) != deeds(there)) == !example.place.empty());
@@ -221,10 +212,10 @@ TEST_CASE("every dialect difference has an example", "[ipr][differences]") {
 TEST_CASE("what haas reads as linuxcnc does is reported beside fanuc", "[ipr][differences]") {
   for (const Case& example : kHaasCases) {
     CAPTURE(example.program);
-    const Interpreted haas = run(example.program, Dialect::haas);
+    const Interpreted haas = run_compared(example.program, Dialect::haas);
     REQUIRE(places(haas) == Places{example.place});
-    CHECK(deeds(haas) == deeds(run(example.program, Dialect::linuxcnc)));
-    CHECK(deeds(haas) != deeds(run(example.program, Dialect::fanuc)));
+    CHECK(deeds(haas) == deeds(run_compared(example.program, Dialect::linuxcnc)));
+    CHECK(deeds(haas) != deeds(run_compared(example.program, Dialect::fanuc)));
     const DialectDifferenceRow& row =
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     CHECK(haas.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.haas) +
@@ -236,10 +227,10 @@ TEST_CASE("what fanuc and haas read each in its own way is reported in fanuc",
           "[ipr][differences]") {
   for (const Case& example : kSiblingCases) {
     CAPTURE(example.program);
-    const Interpreted fanuc = run(example.program, Dialect::fanuc);
+    const Interpreted fanuc = run_compared(example.program, Dialect::fanuc);
     REQUIRE(places(fanuc) == Places{example.place});
-    CHECK(deeds(fanuc) != deeds(run(example.program, Dialect::haas)));
-    CHECK(has_errors(run(example.program, Dialect::linuxcnc)));
+    CHECK(deeds(fanuc) != deeds(run_compared(example.program, Dialect::haas)));
+    CHECK(has_errors(run_compared(example.program, Dialect::linuxcnc)));
     const DialectDifferenceRow& row =
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     CHECK(fanuc.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.fanuc) +
@@ -252,13 +243,13 @@ TEST_CASE("what haas alone reads otherwise is reported in every dialect", "[ipr]
     CAPTURE(example.program);
     const DialectDifferenceRow& row =
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
-    const Interpreted haas = run(example.program, Dialect::haas);
+    const Interpreted haas = run_compared(example.program, Dialect::haas);
     REQUIRE(places(haas) == Places{example.place});
     CHECK(haas.diagnostics[0].message ==
           std::string(row.what) + ' ' + std::string(row.haas) +
               "; in the linuxcnc dialect: " + std::string(row.linuxcnc));
     for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
-      const Interpreted other = run(example.program, dialect);
+      const Interpreted other = run_compared(example.program, dialect);
       REQUIRE(places(other) == Places{example.place});
       CHECK(deeds(other) != deeds(haas));
       CHECK(other.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.fanuc) +
@@ -274,16 +265,16 @@ TEST_CASE("haas reads what its rows leave out as fanuc does, and grbl as linuxcn
         !dialect_difference_table()[static_cast<std::size_t>(example.kind)].haas.empty();
     if (own) continue;
     CAPTURE(example.program);
-    CHECK(deeds(run(example.program, Dialect::haas)) ==
-          deeds(run(example.program, Dialect::fanuc)));
-    CHECK(deeds(run(example.program, Dialect::grbl)) ==
-          deeds(run(example.program, Dialect::linuxcnc)));
+    CHECK(deeds(run_compared(example.program, Dialect::haas)) ==
+          deeds(run_compared(example.program, Dialect::fanuc)));
+    CHECK(deeds(run_compared(example.program, Dialect::grbl)) ==
+          deeds(run_compared(example.program, Dialect::linuxcnc)));
   }
 }
 
 TEST_CASE("in haas a dwell without a decimal point is reported beside linuxcnc",
           "[ipr][differences]") {
-  const Interpreted haas = run("G4 P2\nM30", Dialect::haas);
+  const Interpreted haas = run_compared("G4 P2\nM30", Dialect::haas);
   REQUIRE(places(haas) == Places{"SC2120 1:4"});
   CHECK(haas.diagnostics[0].message ==
         "G04 P counts milliseconds, with a decimal point seconds; in the linuxcnc dialect: counts "
@@ -292,7 +283,7 @@ TEST_CASE("in haas a dwell without a decimal point is reported beside linuxcnc",
 
 TEST_CASE("a dialect difference is reported once, with the number of its lines",
           "[ipr][differences]") {
-  const Interpreted result = run(
+  const Interpreted result = run_compared(
       "G4 P1\nG53 G1 X1 F100\nG4 P2\no1 repeat [3]\nG4 P3\no1 endrepeat\nM30", Dialect::linuxcnc);
   CHECK(places(result) == Places{"SC2120 1:4", "SC2127 2:1"});
   CHECK(result.diagnostics[0].message ==
@@ -303,7 +294,7 @@ TEST_CASE("a dialect difference is reported once, with the number of its lines",
 TEST_CASE("nothing is compared unless it is asked for", "[ipr][differences]") {
   for (const Case& example : kCases) {
     CAPTURE(example.program);
-    CHECK(places(run(example.program, Dialect::linuxcnc, false)) == Places{});
+    CHECK(places(run_compared(example.program, Dialect::linuxcnc, false)) == Places{});
   }
 }
 
@@ -315,7 +306,8 @@ TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][difference
         "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30", "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
         "T1 M6\nF9 G1 G41 D1 X20\nX40\nG41 D1 X50\nG40 X60\nM30"}) {
     CAPTURE(text);
-    const Interpreted linuxcnc = run(text, Dialect::linuxcnc), fanuc = run(text, Dialect::fanuc);
+    const Interpreted linuxcnc = run_compared(text, Dialect::linuxcnc),
+                      fanuc = run_compared(text, Dialect::fanuc);
     CHECK(has_errors(linuxcnc) != has_errors(fanuc));
     for (const Interpreted* result : {&linuxcnc, &fanuc})
       if (!has_errors(*result)) CHECK(places(*result).empty());
@@ -330,7 +322,8 @@ TEST_CASE("a program that the dialects read otherwise is reported", "[ipr][diffe
       if (entry.path().extension() != ".nc") continue;
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
-      const Interpreted linuxcnc = run(text, Dialect::linuxcnc), fanuc = run(text, Dialect::fanuc);
+      const Interpreted linuxcnc = run_compared(text, Dialect::linuxcnc),
+                        fanuc = run_compared(text, Dialect::fanuc);
       if (has_errors(linuxcnc) || has_errors(fanuc) || deeds(linuxcnc) == deeds(fanuc)) continue;
       CAPTURE(entry.path().string());
       ++differ;

@@ -18,7 +18,7 @@ DialectGuess guess(const std::string& text) {
   return guess;
 }
 
-std::string shown(const std::string& text) {
+std::string guessed(const std::string& text) {
   const DialectGuess found = guess(text);
   if (!found.dialect()) return "none";
   return std::string(name(*found.dialect())) + " " + std::to_string(found.line()) + " " +
@@ -28,20 +28,20 @@ std::string shown(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a program shows its dialect", "[ipr][dialects]") {
-  CHECK(shown("%\nO1234\n#100=5\nWHILE[#100 LT 9]DO1\nG65 P9001 A1\nEND1\nM30\n%") ==
+  CHECK(guessed("%\nO1234\n#100=5\nWHILE[#100 LT 9]DO1\nG65 P9001 A1\nEND1\nM30\n%") ==
         "fanuc 4 WHILE DO");
-  CHECK(shown("%\nO1234\nG90 G54.1 P3 G0 X0. Y0.\nM30\n%") == "fanuc 3 G54.1");
-  CHECK(shown("O1\nG0 X1.\n#1=#2+1\nM30") == "fanuc 3 an operator without brackets");
-  CHECK(shown("%\nO1234\nG154 P3 G0 X0. Y0.\nM30\n%") == "haas 3 G154");
-  CHECK(shown("G0 X1.\nG12 I1. D1 F9.\nG187 P2\nM97 P100\nM30") == "haas 2 G12");
-  CHECK(shown("G110 G0 X0\nM30") == "haas 1 G110");
-  CHECK(shown("G0 X0\no<hole> sub\no<hole> endsub\nM2") == "linuxcnc 2 an O-word");
-  CHECK(shown("o100 call [1]\nM2") == "linuxcnc 1 an O-word");
-  CHECK(shown("#<depth>=3\nG0 Z#<depth>\nM2") == "linuxcnc 1 a variable with a name");
-  CHECK(shown("$H\nG0 X1\nM2") == "grbl 1 a line for a sender of grbl");
-  CHECK(shown("(made for grbl)\nG0 X1\nM2") == "grbl 1 'GRBL' in a comment");
-  CHECK(shown("G21 G90\nX1 Y2\nG1 X2 F100\nM2") == "grbl 2 coordinates before any motion code");
-  CHECK(shown("N10 G0 X1*57\nN20 X2*3\nM2") == "grbl 1 a checksum of a sender");
+  CHECK(guessed("%\nO1234\nG90 G54.1 P3 G0 X0. Y0.\nM30\n%") == "fanuc 3 G54.1");
+  CHECK(guessed("O1\nG0 X1.\n#1=#2+1\nM30") == "fanuc 3 an operator without brackets");
+  CHECK(guessed("%\nO1234\nG154 P3 G0 X0. Y0.\nM30\n%") == "haas 3 G154");
+  CHECK(guessed("G0 X1.\nG12 I1. D1 F9.\nG187 P2\nM97 P100\nM30") == "haas 2 G12");
+  CHECK(guessed("G110 G0 X0\nM30") == "haas 1 G110");
+  CHECK(guessed("G0 X0\no<hole> sub\no<hole> endsub\nM2") == "linuxcnc 2 an O-word");
+  CHECK(guessed("o100 call [1]\nM2") == "linuxcnc 1 an O-word");
+  CHECK(guessed("#<depth>=3\nG0 Z#<depth>\nM2") == "linuxcnc 1 a variable with a name");
+  CHECK(guessed("$H\nG0 X1\nM2") == "grbl 1 a line for a sender of grbl");
+  CHECK(guessed("(made for grbl)\nG0 X1\nM2") == "grbl 1 'GRBL' in a comment");
+  CHECK(guessed("G21 G90\nX1 Y2\nG1 X2 F100\nM2") == "grbl 2 coordinates before any motion code");
+  CHECK(guessed("N10 G0 X1*57\nN20 X2*3\nM2") == "grbl 1 a checksum of a sender");
 }
 
 TEST_CASE("what every control has shows none", "[ipr][dialects]") {
@@ -50,7 +50,7 @@ TEST_CASE("what every control has shows none", "[ipr][dialects]") {
                            "G81 X1 Z-1 R1 F100\nX2\nM30", "(for LinuxCNC and FANUC)\nG0 X1\nM30",
                            "G43 H1 Z5.\nG0 X1.\nM30", "#1=3\nG0 X[#1*57]\nM30"}) {
     CAPTURE(text);
-    CHECK(shown(text) == "none");
+    CHECK(guessed(text) == "none");
   }
 }
 
@@ -67,33 +67,33 @@ TEST_CASE("the number of a program alone shows fanuc", "[ipr][dialects]") {
         "O0001\nT1 M6\nG90 G54 X1. Y2. S900 M3\nG43 Z9. H1\n", "O0001\nG90 X1.\nG1 X2. F9\n",
         "O0001\nG0 X1.\nG64 P0.01\nG33 Z1 K1\nM62 P1\nG59.1\n"}) {
     CAPTURE(text);
-    CHECK(shown(text).starts_with("fanuc "));
-    CHECK(shown(text).ends_with(" the number of a program"));
+    CHECK(guessed(text).starts_with("fanuc "));
+    CHECK(guessed(text).ends_with(" the number of a program"));
   }
-  CHECK(shown("%\nO0001\n(HAAS VF-2)\nG0 X1.\n") == "haas 3 'HAAS' in a comment");
-  CHECK(shown("O1\nN5 [#1 LT 2] M99 P9\n") == "haas 2 a condition before M99");
-  CHECK(shown("G81 Z-1. R.1 F9. L0\nG70 I5. J15. L12\n") == "haas 2 a pattern of holes");
-  CHECK(shown("G70\nG71\nG81 X1 Z-1 R1 L2\n") == "none");
+  CHECK(guessed("%\nO0001\n(HAAS VF-2)\nG0 X1.\n") == "haas 3 'HAAS' in a comment");
+  CHECK(guessed("O1\nN5 [#1 LT 2] M99 P9\n") == "haas 2 a condition before M99");
+  CHECK(guessed("G81 Z-1. R.1 F9. L0\nG70 I5. J15. L12\n") == "haas 2 a pattern of holes");
+  CHECK(guessed("G70\nG71\nG81 X1 Z-1 R1 L2\n") == "none");
 }
 
 TEST_CASE("against the number of a program count O-words, names and lines for senders",
           "[ipr][dialects]") {
-  CHECK(shown("O0001\nG0 X1\no100 sub\no100 endsub\nM2") == "linuxcnc 3 an O-word");
-  CHECK(shown("O0001\no[#1+1] call\nM2") == "linuxcnc 2 an O-word");
-  CHECK(shown("O0001\n#<depth>=3\nM2") == "linuxcnc 2 a variable with a name");
-  CHECK(shown("(for LinuxCNC)\nO0001\nG0 X1\nM2") == "linuxcnc 1 'LINUXCNC' in a comment");
-  CHECK(shown("$H\nO0001\nG0 X1\nM2") == "grbl 1 a line for a sender of grbl");
-  CHECK(shown("O0001\nG0 X1*57\nM2") == "grbl 2 a checksum of a sender");
+  CHECK(guessed("O0001\nG0 X1\no100 sub\no100 endsub\nM2") == "linuxcnc 3 an O-word");
+  CHECK(guessed("O0001\no[#1+1] call\nM2") == "linuxcnc 2 an O-word");
+  CHECK(guessed("O0001\n#<depth>=3\nM2") == "linuxcnc 2 a variable with a name");
+  CHECK(guessed("(for LinuxCNC)\nO0001\nG0 X1\nM2") == "linuxcnc 1 'LINUXCNC' in a comment");
+  CHECK(guessed("$H\nO0001\nG0 X1\nM2") == "grbl 1 a line for a sender of grbl");
+  CHECK(guessed("O0001\nG0 X1*57\nM2") == "grbl 2 a checksum of a sender");
   for (const char* text : {"o100 sub", "O[100]", "O#1", "O", "<PLATE", "O1 X1"}) {
     CAPTURE(text);
-    CHECK(shown(std::string(text) + "\nG0 X1\nM2").find("number of a program") ==
+    CHECK(guessed(std::string(text) + "\nG0 X1\nM2").find("number of a program") ==
           std::string::npos);
   }
 }
 
 TEST_CASE("a text in another encoding shows no dialect", "[ipr][dialects]") {
   using namespace std::string_literals;
-  CHECK(shown("X\0001\0\n\0X\0002\0\n"s) == "none");
+  CHECK(guessed("X\0001\0\n\0X\0002\0\n"s) == "none");
 }
 
 TEST_CASE("with auto the program is read in the dialect that it shows", "[ipr][dialects]") {

@@ -4,18 +4,13 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "ipr/ends.hpp"
 #include "ipr/interpret.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-InterpreterOptions in(Dialect dialect) {
-  InterpreterOptions options;
-  options.dialect = dialect;
-  return options;
-}
-
-Interpreted run(const std::string& text, Dialect dialect) {
+Interpreted interpret_in(const std::string& text, Dialect dialect) {
   return interpret(text, {}, in(dialect));
 }
 
@@ -29,13 +24,7 @@ std::vector<double> dwells(const std::string& text, Dialect dialect) {
   return all;
 }
 
-std::vector<double> places_along_x(const std::string& text, Dialect dialect) {
-  std::vector<double> all;
-  for (const Move& move : moves_of(text, {}, in(dialect))) all.push_back(end(move.path).x());
-  return all;
-}
-
-std::size_t holes(const std::string& text, Dialect dialect) {
+std::size_t hole_count(const std::string& text, Dialect dialect) {
   std::size_t count = 0;
   for (const Move& move : moves_of(text, {}, in(dialect)))
     if (!move.rapid) ++count;
@@ -56,10 +45,10 @@ TEST_CASE("a dwell counts by the dialect, in haas by its decimal point", "[ipr][
 
 TEST_CASE("cycles are repeated by K in fanuc, by L in haas", "[ipr][dialects]") {
   const std::string begin = "G0 Z5.\nG91 G99 G81 X1. Z-1. R-3. F100. ";
-  CHECK(holes(begin + "K3\nM30", Dialect::fanuc) == 3);
-  CHECK(holes(begin + "L3\nM30", Dialect::haas) == 3);
-  CHECK(holes(begin + "L0\nX2.\nM30", Dialect::haas) == 1);
-  const Interpreted refused = run(begin + "K3\nM30", Dialect::haas);
+  CHECK(hole_count(begin + "K3\nM30", Dialect::fanuc) == 3);
+  CHECK(hole_count(begin + "L3\nM30", Dialect::haas) == 3);
+  CHECK(hole_count(begin + "L0\nX2.\nM30", Dialect::haas) == 1);
+  const Interpreted refused = interpret_in(begin + "K3\nM30", Dialect::haas);
   CHECK(places(refused) == Places{"SC2007 2:33"});
 }
 
@@ -77,9 +66,9 @@ TEST_CASE("E after a number is a word in fanuc and haas", "[ipr][dialects]") {
     CHECK(end(moves[0].path).x() == 41);
     CHECK(moves[0].feed == 10);
   }
-  CHECK(places(run("G0 X1E1\nM30", Dialect::fanuc)) == Places{"SC2004 1:6"});
-  CHECK(places(run("G0 X1E1\nM30", Dialect::linuxcnc)) == Places{"SC1006 1:4"});
-  CHECK(places(run("G0 X1E1\nM30", Dialect::grbl)) == Places{"SC1006 1:4"});
+  CHECK(places(interpret_in("G0 X1E1\nM30", Dialect::fanuc)) == Places{"SC2004 1:6"});
+  CHECK(places(interpret_in("G0 X1E1\nM30", Dialect::linuxcnc)) == Places{"SC1006 1:4"});
+  CHECK(places(interpret_in("G0 X1E1\nM30", Dialect::grbl)) == Places{"SC1006 1:4"});
 }
 
 TEST_CASE("two letters of a keyword or a function are enough in fanuc and haas",
@@ -95,26 +84,26 @@ TEST_CASE("two letters of a keyword or a function are enough in fanuc and haas",
         places_along_x("#1=CO[60]\nG0X[#1*4]\nX[SI[30]]\nX[AT[1]/[1]]\nX[EX[0]]\nM30", dialect),
         Catch::Matchers::Approx(std::vector<double>{2, 0.5, 45, 1}));
   }
-  CHECK(places(run("#1=1\nWH[#1LE3]DO1\nM30", Dialect::linuxcnc))[0] == "SC1020 2:1");
-  CHECK(places(run("G0 X[SI[30]]\nM30", Dialect::linuxcnc)) == Places{"SC1018 1:6"});
+  CHECK(places(interpret_in("#1=1\nWH[#1LE3]DO1\nM30", Dialect::linuxcnc))[0] == "SC1020 2:1");
+  CHECK(places(interpret_in("G0 X[SI[30]]\nM30", Dialect::linuxcnc)) == Places{"SC1018 1:6"});
 }
 
 TEST_CASE("P of a cycle without a dwell has no effect in fanuc and haas", "[ipr][dialects]") {
   const std::string text = "G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100.\nX2. P600\nG85 X3.\nG80\nM30";
   for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
-    const Interpreted result = run(text, dialect);
+    const Interpreted result = interpret_in(text, dialect);
     CHECK(places(result) == Places{"SC2230 2:22"});
-    CHECK(
-        result.blocks.size() ==
-        run("G0 Z10.\nG99 G81 X1. Z-1. R1. F100.\nX2.\nG85 X3.\nG80\nM30", dialect).blocks.size());
+    CHECK(result.blocks.size() ==
+          interpret_in("G0 Z10.\nG99 G81 X1. Z-1. R1. F100.\nX2.\nG85 X3.\nG80\nM30", dialect)
+              .blocks.size());
   }
-  CHECK(places(run("G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100.\nM30", Dialect::linuxcnc)) ==
+  CHECK(places(interpret_in("G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100.\nM30", Dialect::linuxcnc)) ==
         Places{"SC2004 2:22"});
 }
 
 TEST_CASE("H beside G41 or G42 asks for D in fanuc", "[ipr][dialects]") {
   const std::string text = "G1 F100.\nG42 H19 Y10.\nX50.\nG40 Y-10.\nM30";
-  const Interpreted result = run(text, Dialect::fanuc);
+  const Interpreted result = interpret_in(text, Dialect::fanuc);
   CHECK(places(result) == Places{"SC2231 2:5"});
   CHECK(result.diagnostics[0].message ==
         "H19 beside G42 is the number of a length; the radius is that of D: D19");
@@ -129,13 +118,13 @@ TEST_CASE("grbl starts in G00", "[ipr][dialects]") {
   CHECK_FALSE(moves[2].rapid);
   CHECK(near(end(moves[1].path), {10, 10, 5}));
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc, Dialect::haas})
-    CHECK(places(run(text, dialect))[0] == "SC2101 2:1");
+    CHECK(places(interpret_in(text, dialect))[0] == "SC2101 2:1");
 }
 
 TEST_CASE("grbl's senders' lines are skipped with one note", "[ipr][dialects]") {
   const Interpreted result =
-      run("$H\n$X\n?\nG1 X1 F100*57\n N10 X2*7 \n$J=G91 X10 F500\n!\n~\n$110=500\nX3\nM2",
-          Dialect::grbl);
+      interpret_in("$H\n$X\n?\nG1 X1 F100*57\n N10 X2*7 \n$J=G91 X10 F500\n!\n~\n$110=500\nX3\nM2",
+                   Dialect::grbl);
   CHECK(places(result) == Places{"SC1055 1:1"});
   CHECK(result.diagnostics[0].message ==
         "what is meant for a sender of grbl is skipped, here and on 8 more lines");
@@ -149,14 +138,14 @@ TEST_CASE("elsewhere each of them is an error that names the dialect", "[ipr][di
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc, Dialect::haas}) {
     for (const char* line : {"$H", "$$", "$J=G91 X1 F9.", "?", "!", "~", "$N0=G54", "$RST=*"}) {
       CAPTURE(line);
-      const Interpreted result = run(std::string(line) + "\nM2", dialect);
+      const Interpreted result = interpret_in(std::string(line) + "\nM2", dialect);
       REQUIRE(places(result) == Places{"SC1054 1:1"});
       CHECK(result.diagnostics[0].message.find("--dialect grbl") != std::string::npos);
     }
-    CHECK(places(run("G1 F9.\nX1*57\nM2", dialect)) == Places{"SC1054 2:3"});
+    CHECK(places(interpret_in("G1 F9.\nX1*57\nM2", dialect)) == Places{"SC1054 2:3"});
   }
-  CHECK(places(run("$0 M3 S100\nM2", Dialect::linuxcnc)) == Places{"SC1001 1:1"});
-  const Interpreted product = run("#1=2\nG0 X[#1*57]\nM2", Dialect::grbl);
+  CHECK(places(interpret_in("$0 M3 S100\nM2", Dialect::linuxcnc)) == Places{"SC1001 1:1"});
+  const Interpreted product = interpret_in("#1=2\nG0 X[#1*57]\nM2", Dialect::grbl);
   CHECK(places(product) == Places{"SC1056 1:1"});
   CHECK(product.blocks.size() == 2);
 }

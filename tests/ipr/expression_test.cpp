@@ -41,7 +41,7 @@ std::string fault_of(std::string_view text, Dialect dialect = Dialect::linuxcnc)
 }
 
 /// An expression as a tree, whose value is worked out at its joints and not from its text.
-struct Tree {
+struct ExpressionTree {
   int level = 9;     // precedence of what joins it: 9 is a number
   std::string text;  // with no more brackets than it needs
   double value = 0;
@@ -68,11 +68,12 @@ constexpr Joint kLogic[] = {
 };
 
 /// In brackets if it binds weaker than what it stands in.
-std::string within(const Tree& tree, int level) {
+std::string within(const ExpressionTree& tree, int level) {
   return tree.level < level ? "[" + tree.text + "]" : tree.text;
 }
 
-Tree joined(const Joint& joint, const Tree& left, const Tree& right, Dialect dialect) {
+ExpressionTree joined(const Joint& joint, const ExpressionTree& left, const ExpressionTree& right,
+                      Dialect dialect) {
   const int level = dialect == Dialect::fanuc ? joint.fanuc : joint.linuxcnc;
   const bool compares = dialect == Dialect::fanuc && level == 1;
   return {level,
@@ -81,16 +82,16 @@ Tree joined(const Joint& joint, const Tree& left, const Tree& right, Dialect dia
           joint.give(left.value, right.value)};
 }
 
-Tree random_tree(int depth, Dialect dialect) {
+ExpressionTree random_tree(int depth, Dialect dialect) {
   const int choice = *rc::gen::inRange(0, depth > 0 ? 10 : 2);
   if (choice < 2) {
     const int number = *rc::gen::inRange(0, 9);
-    return choice == 0 ? Tree{9, std::to_string(number), double(number)}
-                       : Tree{9, "-" + std::to_string(number), -double(number)};
+    return choice == 0 ? ExpressionTree{9, std::to_string(number), double(number)}
+                       : ExpressionTree{9, "-" + std::to_string(number), -double(number)};
   }
-  const Tree left = random_tree(depth - 1, dialect);
+  const ExpressionTree left = random_tree(depth - 1, dialect);
   if (choice == 2) return {9, "ABS[" + left.text + "]", std::abs(left.value)};
-  const Tree right = random_tree(depth - 1, dialect);
+  const ExpressionTree right = random_tree(depth - 1, dialect);
   if (choice > 7 && dialect == Dialect::linuxcnc)
     return joined(kLogic[*rc::gen::inRange(0, 3)], left, right, dialect);
   return joined(kJoints[*rc::gen::inRange(0, 6)], left, right, dialect);
@@ -101,7 +102,7 @@ Tree random_tree(int depth, Dialect dialect) {
 TEST_CASE("an expression has the value of its tree", "[ipr][expression]") {
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc})
     test::holds([dialect] {
-      const Tree tree = random_tree(6, dialect);
+      const ExpressionTree tree = random_tree(6, dialect);
       const std::string text = "[" + tree.text + "]";
       const Parameters parameters(dialect);
       Lexer lexer(text);

@@ -23,7 +23,7 @@ struct Node {
 using Body = std::vector<Node>;
 
 /// A program: its own lines, and subprograms that call only those after them.
-struct Tree {
+struct ProgramTree {
   std::vector<Body> subs;  // the first is the main program
 };
 
@@ -31,8 +31,8 @@ class Grower {
  public:
   explicit Grower(unsigned seed) : random_(seed) {}
 
-  Tree grow() {
-    Tree tree;
+  ProgramTree grow() {
+    ProgramTree tree;
     for (int sub = 0; sub < kSubs; ++sub) {
       sub_ = sub;
       tree.subs.push_back(body(0));
@@ -87,7 +87,7 @@ class Walker {
  public:
   static constexpr std::size_t kMost = 3000;
 
-  explicit Walker(const Tree& tree) : tree_(tree) { walk(tree.subs.front()); }
+  explicit Walker(const ProgramTree& tree) : tree_(tree) { walk(tree.subs.front()); }
   const std::vector<int>& moves() const { return moves_; }
   bool is_too_long() const { return moves_.size() > kMost || steps_ > 20 * kMost; }
 
@@ -135,7 +135,7 @@ class Walker {
     return {};
   }
 
-  const Tree& tree_;
+  const ProgramTree& tree_;
   std::vector<int> moves_;
   std::map<int, int> visits_;
   std::size_t steps_ = 0;
@@ -144,7 +144,7 @@ class Walker {
 /// Writes the tree as a program; subprograms stand before the main lines, or after M2.
 class Writer {
  public:
-  Writer(const Tree& tree, bool subs_first, bool by_number) : by_number_(by_number) {
+  Writer(const ProgramTree& tree, bool subs_first, bool by_number) : by_number_(by_number) {
     if (subs_first && !by_number) write_subs(tree);
     line("G91");
     write(tree.subs.front());
@@ -156,7 +156,7 @@ class Writer {
  private:
   void line(const std::string& words) { text_ += words + '\n'; }
 
-  void write_subs(const Tree& tree) {
+  void write_subs(const ProgramTree& tree) {
     for (std::size_t i = 1; i < tree.subs.size(); ++i) {
       const std::string name = "O" + std::to_string(9000 + i);
       line(by_number_ ? name : name + " sub");
@@ -233,7 +233,7 @@ std::vector<int> lengths(const std::string& text) {
 TEST_CASE("programs make the moves of their trees", "[ipr][flow][property]") {
   int moves = 0, programs = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
-    const Tree tree = Grower(seed).grow();
+    const ProgramTree tree = Grower(seed).grow();
     const Walker walker(tree);
     if (walker.is_too_long()) continue;
     for (const bool subs_first : {true, false})

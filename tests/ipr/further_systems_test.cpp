@@ -8,31 +8,31 @@
 namespace softcnc::ipr {
 namespace {
 
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
 /// A program of the fanuc dialect after its first systems have been set.
 std::string with_systems(const std::string& text) {
   return "G90 G10 L20 P1 X100 Y10\nG10 L20 P2 X200\nG10 L20 P300 Z5\n" + text + "\nM30\n";
 }
 
-AxisVector place(const std::string& text) { return last_place(with_systems(text), kFanuc); }
+AxisVector place_in_systems(const std::string& text) {
+  return last_place(with_systems(text), kFanuc);
+}
 
 }  // namespace
 
 TEST_CASE("a further work system moves the origin", "[ipr][further]") {
-  CHECK(place("G54.1 P1 G00 X1 Y1") == AxisVector(101, 11, 0));
-  CHECK(place("G54.1 P2 G00 X1 Y1") == AxisVector(201, 1, 0));
-  CHECK(place("G54.1 P300 G00 X1 Y1 Z1") == AxisVector(1, 1, 6));
-  CHECK(place("G54.1 P3 G00 X1 Y1") == AxisVector(1, 1, 0));
-  CHECK(place("G54.1 P2\nG00 X1\nG54\nX2") == AxisVector(2, 0, 0));
+  CHECK(place_in_systems("G54.1 P1 G00 X1 Y1") == AxisVector(101, 11, 0));
+  CHECK(place_in_systems("G54.1 P2 G00 X1 Y1") == AxisVector(201, 1, 0));
+  CHECK(place_in_systems("G54.1 P300 G00 X1 Y1 Z1") == AxisVector(1, 1, 6));
+  CHECK(place_in_systems("G54.1 P3 G00 X1 Y1") == AxisVector(1, 1, 0));
+  CHECK(place_in_systems("G54.1 P2\nG00 X1\nG54\nX2") == AxisVector(2, 0, 0));
   CHECK(last_place("G21 G90\nG54.1 P3\nG00 X10\nM30\n") == AxisVector(10, 0, 0));
 }
 
 TEST_CASE("the names of Haas and FANUC mean the same systems", "[ipr][further]") {
-  CHECK(place("G154 P1 G00 X1 Y1") == AxisVector(101, 11, 0));
-  CHECK(place("G110 G00 X1 Y1") == AxisVector(101, 11, 0));
-  CHECK(place("G111 G00 X1 Y1") == AxisVector(201, 1, 0));
-  CHECK(place("G54.1 G00 X1 Y1") == AxisVector(101, 11, 0));  // P1
+  CHECK(place_in_systems("G154 P1 G00 X1 Y1") == AxisVector(101, 11, 0));
+  CHECK(place_in_systems("G110 G00 X1 Y1") == AxisVector(101, 11, 0));
+  CHECK(place_in_systems("G111 G00 X1 Y1") == AxisVector(201, 1, 0));
+  CHECK(place_in_systems("G54.1 G00 X1 Y1") == AxisVector(101, 11, 0));  // P1
   for (int i = 0; i < 20; ++i) {
     const std::string number = std::to_string(i + 1);
     CHECK(last_place("G10 L20 P" + number + " X7\nG" + std::to_string(110 + i) + " G00 X1\nM30\n",
@@ -42,8 +42,8 @@ TEST_CASE("the names of Haas and FANUC mean the same systems", "[ipr][further]")
 
 TEST_CASE("G54 P is G54.1 P in the fanuc dialect, unless P belongs to another code",
           "[ipr][further][fanuc]") {
-  CHECK(place("G54 P2 G00 X1") == AxisVector(201, 0, 0));
-  CHECK(place("G54 G04 P2\nG00 X1") == AxisVector(1, 0, 0));
+  CHECK(place_in_systems("G54 P2 G00 X1") == AxisVector(201, 0, 0));
+  CHECK(place_in_systems("G54 G04 P2\nG00 X1") == AxisVector(1, 0, 0));
   CHECK(places(interpret("G54 P2\nM30\n")) == Places{"SC2004 1:5"});
 }
 
@@ -65,13 +65,13 @@ TEST_CASE("in linuxcnc G10 L20 goes by the position", "[ipr][further]") {
 }
 
 TEST_CASE("variables read and set further systems", "[ipr][further][fanuc]") {
-  CHECK(place("#1=#7001+#14002 G00 X#1") == AxisVector(110, 0, 0));
-  CHECK(place("G00 X#7021 Y#14021 Z#19983") == AxisVector(200, 200, 5));
-  CHECK(place("#7041=7\nG54.1 P3 G00 X1") == AxisVector(8, 0, 0));
-  CHECK(place("#19981=7\nG54.1 P300 G00 X1") == AxisVector(8, 0, 0));
-  CHECK(place("G20\n#14001=1\nG21 G54.1 P1 G00 X1") == AxisVector(26.4, 0, 0));
-  CHECK(place("G54.1 P7\nG00 X#4130 Y[#4014*10]") == AxisVector(7, 541, 0));
-  CHECK(place("G00 X1\nX#4130 Y#7943") == AxisVector(0, 0, 0));
+  CHECK(place_in_systems("#1=#7001+#14002 G00 X#1") == AxisVector(110, 0, 0));
+  CHECK(place_in_systems("G00 X#7021 Y#14021 Z#19983") == AxisVector(200, 200, 5));
+  CHECK(place_in_systems("#7041=7\nG54.1 P3 G00 X1") == AxisVector(8, 0, 0));
+  CHECK(place_in_systems("#19981=7\nG54.1 P300 G00 X1") == AxisVector(8, 0, 0));
+  CHECK(place_in_systems("G20\n#14001=1\nG21 G54.1 P1 G00 X1") == AxisVector(26.4, 0, 0));
+  CHECK(place_in_systems("G54.1 P7\nG00 X#4130 Y[#4014*10]") == AxisVector(7, 541, 0));
+  CHECK(place_in_systems("G00 X1\nX#4130 Y#7943") == AxisVector(0, 0, 0));
   const MachineState state = interpret(with_systems("G00 X#14061"), {}, kFanuc).state;
   CHECK(state.further_work.size() == 3);  // reading adds none
 }
@@ -108,7 +108,7 @@ TEST_CASE("cutter compensation keeps the work system", "[ipr][further]") {
 }
 
 TEST_CASE("saved modes bring a further system back", "[ipr][further]") {
-  CHECK(place("G54.1 P2\nM70\nG54\nM72\nG00 X1") == AxisVector(201, 0, 0));
+  CHECK(place_in_systems("G54.1 P2\nM70\nG54\nM72\nG00 X1") == AxisVector(201, 0, 0));
 }
 
 }  // namespace softcnc::ipr

@@ -28,7 +28,7 @@ std::string place_of(const GCode& code) {
 }
 
 /// The rows as docs/gcode.md shows them, each with a place to link to.
-std::string table_for_users() {
+std::string code_table_for_users() {
   std::string all = "| code | words | what it does |\n|---|---|---|\n";
   for (const GCode& code : gcode_table()) {
     std::string words;
@@ -79,8 +79,8 @@ TEST_CASE("a code is named as people write it", "[ipr][table]") {
 }
 
 TEST_CASE("docs/gcode.md shows the table as it is", "[ipr][table][docs]") {
-  INFO("expected in docs/gcode.md:\n" << table_for_users());
-  CHECK(page().find(table_for_users()) != std::string::npos);
+  INFO("expected in docs/gcode.md:\n" << code_table_for_users());
+  CHECK(page().find(code_table_for_users()) != std::string::npos);
 }
 
 TEST_CASE("every code has one place on the page to link to", "[ipr][table][docs]") {

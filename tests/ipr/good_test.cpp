@@ -11,14 +11,10 @@
 #include <iterator>
 
 #include "ipr/interpret.hpp"
+#include "support/files.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// As the comment says it: rounded to a thousandth, no trailing zeros.
 std::string thousandths(double value) {
@@ -60,7 +56,7 @@ std::vector<std::filesystem::path> files_in(const std::string& folder) {
   return all;
 }
 
-Interpreted read(const std::filesystem::path& file, bool compare_dialects) {
+Interpreted read_good(const std::filesystem::path& file, bool compare_dialects) {
   auto reader = Reader::open(file.string());
   REQUIRE(reader);
   InterpreterOptions options;
@@ -71,12 +67,12 @@ Interpreted read(const std::filesystem::path& file, bool compare_dialects) {
 /// Nothing is reported, and the blocks are as the comment says.
 void check_file(const std::filesystem::path& file, bool compare_dialects) {
   INFO(file.filename().string());
-  const Interpreted result = read(file, compare_dialects);
+  const Interpreted result = read_good(file, compare_dialects);
   for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));
   REQUIRE_FALSE(result.blocks.empty());
   const auto* end = std::get_if<Action>(&result.blocks.back().what);
   CHECK((end != nullptr && end->kind == Action::Kind::end));
-  CHECK(made(result.blocks) == expected(bytes_of(file)));
+  CHECK(made(result.blocks) == expected(test::bytes_of(file)));
 }
 
 }  // namespace
@@ -92,7 +88,7 @@ TEST_CASE("a program that means something else in the other dialect is as good",
   for (const auto& file : files) {
     check_file(file, false);
     INFO(file.filename().string());
-    const Interpreted compared = read(file, true);
+    const Interpreted compared = read_good(file, true);
     CHECK_FALSE(compared.diagnostics.empty());
     for (const Diagnostic& diagnostic : compared.diagnostics)
       CHECK(diagnostic.message.find("; in the fanuc dialect: ") != std::string::npos);

@@ -4,40 +4,21 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "ipr/cycle_stops.hpp"
 #include "ipr/interpret.hpp"
+#include "ipr/reported.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-const InterpreterOptions kHaas{.dialect = Dialect::haas};
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
-/// "R1,2,20 F1,2,-5 D1.5 S-500": rapids, feeds, dwells, turns of the spindle, from Z20 on.
-std::string way(const std::string& text, InterpreterOptions options = kHaas) {
-  std::string all;
-  for (const Block& block : blocks_of("F100. S500 G00 Z20.\n" + text + "\nM30\n", {}, options)) {
-    if (const auto* move = std::get_if<Move>(&block.what)) {
-      const AxisVector to = end(move->path);
-      all += (move->rapid ? "R" : "F") + number_text(to.x()) + "," + number_text(to.y()) + "," +
-             number_text(to.z()) + " ";
-    } else if (const auto* rest = std::get_if<Dwell>(&block.what)) {
-      all += "D" + number_text(rest->duration) + " ";
-    } else if (std::get<Action>(block.what).kind == Action::Kind::spindle) {
-      all += "S" + number_text(std::get<Action>(block.what).value) + " ";
-    }
-  }
-  const std::string head = "R0,0,20 ";
-  REQUIRE(all.starts_with(head));
-  return all.substr(head.size());
-}
-
-Places reported(const std::string& text, InterpreterOptions options = kHaas) {
-  return places(interpret(text + "\nM30\n", {}, options));
+/// Of cycles, from Z20 on, while the spindle stands.
+std::string haas_stops(const std::string& text) {
+  return stops_behind("R0,0,20 ", "F100. S500 G00 Z20.\n" + text + "\nM30\n", kHaas);
 }
 
 /// Where the feeds down to Z-5 end.
-std::vector<AxisVector> holes(const std::string& text) {
+std::vector<AxisVector> haas_holes(const std::string& text) {
   std::vector<AxisVector> all;
   for (const Move& move : moves_of("F100. G00 Z20.\n" + text + "\nM30\n", {}, kHaas))
     if (!move.rapid && std::abs(end(move.path).z() + 5) < 1e-9) all.push_back(end(move.path));
@@ -48,7 +29,7 @@ std::vector<AxisVector> holes(const std::string& text) {
 void check_holes(const std::string& text, const AxisVector& centre,
                  const std::vector<std::pair<double, double>>& wanted) {
   CAPTURE(text);
-  const auto all = holes(text);
+  const auto all = haas_holes(text);
   REQUIRE(all.size() == wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const auto [angle, distance] = wanted[i];
@@ -63,29 +44,32 @@ const std::string kDrill = "G98 G81 Z-5. R1. L0\n";
 }  // namespace
 
 TEST_CASE("without R Haas' cycles begin at the height of the start", "[ipr][cycles][haas]") {
-  CHECK(way("G99 G81 X1. Z-5.\nX2.") == "R1,0,20 F1,0,-5 R1,0,20 R2,0,20 F2,0,-5 R2,0,20 ");
-  CHECK(way("G98 G83 X1. Z-5. Q20.\nX2. R2.") ==
+  CHECK(haas_stops("G99 G81 X1. Z-5.\nX2.") == "R1,0,20 F1,0,-5 R1,0,20 R2,0,20 F2,0,-5 R2,0,20 ");
+  CHECK(haas_stops("G98 G83 X1. Z-5. Q20.\nX2. R2.") ==
         "R1,0,20 F1,0,0 R1,0,20 R1,0,0.254 F1,0,-5 R1,0,20 R2,0,20 R2,0,2 F2,0,-5 R2,0,20 ");
-  CHECK(way("G91 G99 G81 X1. Z-25.\nX2.") == "R1,0,20 F1,0,-5 R1,0,20 R3,0,20 F3,0,-5 R3,0,20 ");
-  CHECK(way("G99 G81 X1. Z-5. R1.\nG82 X2. Z-6. P.5") ==
+  CHECK(haas_stops("G91 G99 G81 X1. Z-25.\nX2.") ==
+        "R1,0,20 F1,0,-5 R1,0,20 R3,0,20 F3,0,-5 R3,0,20 ");
+  CHECK(haas_stops("G99 G81 X1. Z-5. R1.\nG82 X2. Z-6. P.5") ==
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-6 D0.5 R2,0,1 ");
-  CHECK(reported("F1. G81 X1. Z-5.", kFanuc) == Places{"SC2005 1:5"});
+  CHECK(reported("F1. G81 X1. Z-5.", Dialect::fanuc) == Places{"SC2005 1:5"});
 }
 
 TEST_CASE("Haas' taps start the spindle and leave it as it was", "[ipr][cycles][haas]") {
-  CHECK(way("G98 G84 X1. Z-6. R1.\nX2.") ==
+  CHECK(haas_stops("G98 G84 X1. Z-6. R1.\nX2.") ==
         "R1,0,20 R1,0,1 S500 F1,0,-6 S-500 F1,0,1 S0 R1,0,20 "
         "R2,0,20 R2,0,1 S500 F2,0,-6 S-500 F2,0,1 S0 R2,0,20 ");
-  CHECK(way("G99 G74 X1. Z-6. R1. P.5") == "R1,0,20 R1,0,1 S-500 F1,0,-6 S500 D0.5 F1,0,1 S0 ");
-  CHECK(way("M03\nG99 G84 X1. Z-6. R1.") == "S500 R1,0,20 R1,0,1 F1,0,-6 S-500 F1,0,1 S500 ");
-  CHECK(way("M04\nG99 G84 X1. Z-6. R1.") ==
+  CHECK(haas_stops("G99 G74 X1. Z-6. R1. P.5") ==
+        "R1,0,20 R1,0,1 S-500 F1,0,-6 S500 D0.5 F1,0,1 S0 ");
+  CHECK(haas_stops("M03\nG99 G84 X1. Z-6. R1.") ==
+        "S500 R1,0,20 R1,0,1 F1,0,-6 S-500 F1,0,1 S500 ");
+  CHECK(haas_stops("M04\nG99 G84 X1. Z-6. R1.") ==
         "S-500 R1,0,20 R1,0,1 S500 F1,0,-6 S-500 F1,0,1 S-500 ");
-  CHECK(reported("T1 M06\nG00 G90 X2. Y2. Z5.\nG84 Z-6. R1. F500. S500\nG80").empty());
-  CHECK(reported("F1. G84 X1. Z-5. R1.") == Places{"SC2163 1:5"});
-  CHECK(reported("F1. S0 G84 X1. Z-5. R1.") == Places{"SC2163 1:8"});
-  CHECK(reported("F1. S..9\nG84 X1. Z-5. R1.") == Places{"SC1004 1:6"});
-  CHECK(reported("F1. S9 G84 X1. Z-5. R1.", kFanuc) == Places{"SC2163 1:8"});
-  CHECK(reported("F1. S9 G84 X1. Z-5. R1.\nG86 X2.") == Places{"SC2163 2:1"});
+  CHECK(haas_reported("T1 M06\nG00 G90 X2. Y2. Z5.\nG84 Z-6. R1. F500. S500\nG80").empty());
+  CHECK(haas_reported("F1. G84 X1. Z-5. R1.") == Places{"SC2163 1:5"});
+  CHECK(haas_reported("F1. S0 G84 X1. Z-5. R1.") == Places{"SC2163 1:8"});
+  CHECK(haas_reported("F1. S..9\nG84 X1. Z-5. R1.") == Places{"SC1004 1:6"});
+  CHECK(reported("F1. S9 G84 X1. Z-5. R1.", Dialect::fanuc) == Places{"SC2163 1:8"});
+  CHECK(haas_reported("F1. S9 G84 X1. Z-5. R1.\nG86 X2.") == Places{"SC2163 2:1"});
 }
 
 TEST_CASE("a feed per turn counts in a tap that starts the spindle", "[ipr][cycles][haas]") {
@@ -93,32 +77,32 @@ TEST_CASE("a feed per turn counts in a tap that starts the spindle", "[ipr][cycl
   REQUIRE(moves.size() == 5);
   CHECK(moves[3].feed == Approx(1.25 * 10));
   CHECK(moves[4].feed == Approx(1.25 * 10));
-  CHECK(reported("G95 F1.25 S600\nG00 Z5.\nG99 G84 X1. Z-6. R1.\nG80 G01 X2.") ==
+  CHECK(haas_reported("G95 F1.25 S600\nG00 Z5.\nG99 G84 X1. Z-6. R1.\nG80 G01 X2.") ==
         Places{"SC2222 4:5"});
 }
 
 TEST_CASE("Haas' pecks lessen by J from I down to K", "[ipr][cycles][haas]") {
-  CHECK(way("G98 G73 X1. Z-10. R2. I4. J1. K2.") ==
+  CHECK(haas_stops("G98 G73 X1. Z-10. R2. I4. J1. K2.") ==
         "R1,0,20 R1,0,2 F1,0,-2 R1,0,-1.746 F1,0,-5 R1,0,-4.746 F1,0,-7 R1,0,-6.746 "
         "F1,0,-9 R1,0,-8.746 F1,0,-10 R1,0,20 ");
-  CHECK(way("G99 G83 X1. Z-10. R2. I4. J2. K3.\nX2. Z-2.") ==
+  CHECK(haas_stops("G99 G83 X1. Z-10. R2. I4. J2. K3.\nX2. Z-2.") ==
         "R1,0,20 R1,0,2 F1,0,-2 R1,0,2 R1,0,-1.746 F1,0,-5 R1,0,2 R1,0,-4.746 F1,0,-8 R1,0,2 "
         "R1,0,-7.746 F1,0,-10 R1,0,2 R2,0,2 F2,0,-2 R2,0,2 ");
-  CHECK(way("G99 G83 X1. Z-4. R2. I4. J0 K1.\nG83 X2. Q5.") ==
+  CHECK(haas_stops("G99 G83 X1. Z-4. R2. I4. J0 K1.\nG83 X2. Q5.") ==
         "R1,0,20 R1,0,2 F1,0,-2 R1,0,2 R1,0,-1.746 F1,0,-4 R1,0,2 "
         "R2,0,2 F2,0,-3 R2,0,2 R2,0,-2.746 F2,0,-4 R2,0,2 ");
-  CHECK(way("G20 G99 G83 X1. Z-.2 R.1 I.2 J.1 K.1") ==
+  CHECK(haas_stops("G20 G99 G83 X1. Z-.2 R.1 I.2 J.1 K.1") ==
         "R25.4,0,20 R25.4,0,2.54 F25.4,0,-2.54 R25.4,0,2.54 R25.4,0,-2.286 F25.4,0,-5.08 "
         "R25.4,0,2.54 ");
-  CHECK(way("G51 Z0 P2.\nG99 G83 X0 Z-3. R1. I4. J1. K1.") ==
+  CHECK(haas_stops("G51 Z0 P2.\nG99 G83 X0 Z-3. R1. I4. J1. K1.") ==
         "R0,0,2 F0,0,-2 R0,0,2 R0,0,-1.746 F0,0,-5 R0,0,2 R0,0,-4.746 F0,0,-6 R0,0,2 ");
 }
 
 TEST_CASE("Haas' G73 goes out to R after the depth of K", "[ipr][cycles][haas]") {
-  CHECK(way("G98 G73 X1. Z-8. R2. Q2. K4.") ==
+  CHECK(haas_stops("G98 G73 X1. Z-8. R2. Q2. K4.") ==
         "R1,0,20 R1,0,2 F1,0,0 R1,0,0.254 F1,0,-2 R1,0,2 R1,0,-1.746 F1,0,-4 R1,0,-3.746 "
         "F1,0,-6 R1,0,2 R1,0,-5.746 F1,0,-8 R1,0,20 ");
-  CHECK(way("G99 G73 X1. Z-2. R2. Q2. K1.\nX2. Q3.") ==
+  CHECK(haas_stops("G99 G73 X1. Z-2. R2. Q2. K1.\nX2. Q3.") ==
         "R1,0,20 R1,0,2 F1,0,0 R1,0,2 R1,0,0.254 F1,0,-2 R1,0,2 "
         "R2,0,2 F2,0,-1 R2,0,2 R2,0,-0.746 F2,0,-2 R2,0,2 ");
 }
@@ -136,12 +120,12 @@ TEST_CASE("words of pecks that do not fit are refused", "[ipr][cycles][haas]") {
   CHECK(of("Q1. K0") == Places{"SC2007 2:26"});
   CHECK(of("Q1. I2.", kFanuc) == Places{"SC2004 2:26"});
   CHECK(of("I.0001 J0 K.0001") == Places{"SC2007 2:5"});
-  CHECK(reported("F9. G00 Z5.\nG99 G83 X1. Z-5. R1. Q1. K2.") == Places{"SC2007 2:26"});
+  CHECK(haas_reported("F9. G00 Z5.\nG99 G83 X1. Z-5. R1. Q1. K2.") == Places{"SC2007 2:26"});
 }
 
 TEST_CASE("G70 drills a circle", "[ipr][cycles][haas][patterns]") {
   check_holes(kDrill + "G70 I10. J0 L4", {0, 0, 0}, {{0, 10}, {90, 10}, {180, 10}, {270, 10}});
-  CHECK(holes(kDrill + "G70 I10. J0 L4").at(3) == AxisVector(0, -10, -5));
+  CHECK(haas_holes(kDrill + "G70 I10. J0 L4").at(3) == AxisVector(0, -10, -5));
   check_holes(kDrill + "G70 I5. J15. L3", {0, 0, 0}, {{15, 5}, {135, 5}, {255, 5}});
   check_holes(kDrill + "G70 I-5. J15. L3", {0, 0, 0}, {{15, 5}, {255, 5}, {135, 5}});
   check_holes(kDrill + "G70 X3. Y-4. I2. L1", {3, -4, 0}, {{0, 2}});
@@ -160,15 +144,15 @@ TEST_CASE("G71 drills an arc, G72 a line", "[ipr][cycles][haas][patterns]") {
 }
 
 TEST_CASE("a pattern is made by the cycle in force", "[ipr][cycles][haas][patterns]") {
-  CHECK(way(kDrill + "G72 I3. L2\nX9.") ==
+  CHECK(haas_stops(kDrill + "G72 I3. L2\nX9.") ==
         "R0,0,1 F0,0,-5 R0,0,20 R3,0,20 R3,0,1 F3,0,-5 R3,0,20 R9,0,20 R9,0,1 F9,0,-5 R9,0,20 ");
-  CHECK(way("G99 G84 Z-5. R1. L0\nG72 X1. I3. L2\nG80") ==
+  CHECK(haas_stops("G99 G84 Z-5. R1. L0\nG72 X1. I3. L2\nG80") ==
         "R1,0,20 R1,0,1 S500 F1,0,-5 S-500 F1,0,1 S0 R4,0,1 S500 F4,0,-5 S-500 F4,0,1 S0 ");
-  CHECK(way("G99 G83 Z-5. R1. I4. J1. K1. L0\nG72 I3. L1\nG80") ==
+  CHECK(haas_stops("G99 G83 Z-5. R1. I4. J1. K1. L0\nG72 I3. L1\nG80") ==
         "R0,0,1 F0,0,-3 R0,0,1 R0,0,-2.746 F0,0,-5 R0,0,1 ");
-  CHECK(way("G68 X0 Y0 R90.\n" + kDrill + "G72 X1. Y0 I3. L1\nG80") ==
+  CHECK(haas_stops("G68 X0 Y0 R90.\n" + kDrill + "G72 X1. Y0 I3. L1\nG80") ==
         "R0,1,20 R0,1,1 F0,1,-5 R0,1,20 ");
-  CHECK(way("G18 G99 G81 Y-5. R1. L0\nG72 X3. I2. L2\nG80") ==
+  CHECK(haas_stops("G18 G99 G81 Y-5. R1. L0\nG72 X3. I2. L2\nG80") ==
         "R0,1,20 R3,1,20 F3,-5,20 R3,1,20 R3,1,22 F3,-5,22 R3,1,22 ");
   CHECK(
       near(last_place("F9. G00 Z5.\n" + kDrill + "G70 I10. L4\nG80 G91 G00 X1. Z1.\nM30\n", kHaas),
@@ -180,7 +164,7 @@ TEST_CASE("beside a pattern K is no depth of G73", "[ipr][cycles][haas][patterns
   const std::string begin = "G98 F9. G00 Z5.\n";
   CHECK(reported(begin + "G73 Z-5. R1. Q2. K4. X1.", check) == Places{"SC2387 2:18"});
   CHECK(reported(begin + "G73 Z-5. R1. Q2. G71 I5. K30. L2", check).empty());
-  CHECK(way("G99 G73 Z-4. R1. Q3. G71 I5. K90. L1\nG80") ==
+  CHECK(haas_stops("G99 G73 Z-4. R1. Q3. G71 I5. K90. L1\nG80") ==
         "R5,0,20 R5,0,1 F5,0,-2 R5,0,-1.746 F5,0,-4 R5,0,1 ");
 }
 
@@ -202,12 +186,12 @@ TEST_CASE("patterns that cannot be made are refused", "[ipr][cycles][haas][patte
   CHECK(of("G72 I999999. L3") == Places{"SC3008 3:1"});
   CHECK(of("G80\nG70 I5. L4") == Places{"SC2101 4:1"});
   CHECK(of("G16\nG70 X1. I5. L4") == Places{"SC2251 4:1"});
-  CHECK(reported("G70 I5. L4") == Places{"SC2101 1:1"});
-  CHECK(reported("F9. G00 Z5.\nG81 R1. L0\nG70 I5. L4") == Places{"SC2160 2:1"});
-  CHECK(reported("F9. G00 Z5.\nG81 X0 R1. L0\nG70 I5. L4") == Places{"SC2005 2:1"});
-  CHECK(reported("F9. G00 Z5.\nG41.1 D1. G01 X9.\nG70 I5. L4\nG40") == Places{"SC2140 3:1"});
-  CHECK(reported("G70 I5. L4", kFanuc) == Places{"SC2001 1:1"});
-  CHECK(reported("G71 I5. L4", {}) == Places{"SC2001 1:1"});
+  CHECK(haas_reported("G70 I5. L4") == Places{"SC2101 1:1"});
+  CHECK(haas_reported("F9. G00 Z5.\nG81 R1. L0\nG70 I5. L4") == Places{"SC2160 2:1"});
+  CHECK(haas_reported("F9. G00 Z5.\nG81 X0 R1. L0\nG70 I5. L4") == Places{"SC2005 2:1"});
+  CHECK(haas_reported("F9. G00 Z5.\nG41.1 D1. G01 X9.\nG70 I5. L4\nG40") == Places{"SC2140 3:1"});
+  CHECK(reported("G70 I5. L4", Dialect::fanuc) == Places{"SC2001 1:1"});
+  CHECK(reported("G71 I5. L4") == Places{"SC2001 1:1"});
 }
 
 TEST_CASE("G47, G150 and M109 are refused with what they do", "[ipr][haas]") {
@@ -225,8 +209,8 @@ TEST_CASE("G47, G150 and M109 are refused with what they do", "[ipr][haas]") {
   CHECK(said("M109 P501 (Y OR N?)") ==
         "M109 is refused: it shows a text to the operator and puts the key pressed into the "
         "variable of P");
-  CHECK(reported("G47 P0", kFanuc) == Places{"SC2001 1:1"});
-  CHECK(reported("M109", kFanuc) == Places{"SC2001 1:1"});
+  CHECK(reported("G47 P0", Dialect::fanuc) == Places{"SC2001 1:1"});
+  CHECK(reported("M109", Dialect::fanuc) == Places{"SC2001 1:1"});
   CHECK(interpret("M109\nM30\n", {}, {}).diagnostics[0].message.find("[mcode.109]") !=
         std::string::npos);
 }

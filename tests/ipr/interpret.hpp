@@ -16,11 +16,19 @@ struct Interpreted {
   MachineState state;  // at the end
 };
 
+inline InterpreterOptions in(Dialect dialect) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  return options;
+}
+
+inline const InterpreterOptions kFanuc = in(Dialect::fanuc), kHaas = in(Dialect::haas);
+
 inline Interpreted interpret(Reader reader, const Machine& machine = {},
-                             InterpreterOptions options = {}) {
+                             InterpreterOptions options = {}, const MachineState& state = {}) {
   Diagnostics diagnostics;
   Parser parser(reader, diagnostics);
-  Interpreter interpreter(parser, machine, diagnostics, options);
+  Interpreter interpreter(parser, machine, diagnostics, options, state);
   Interpreted result;
   while (auto block = interpreter.next()) result.blocks.push_back(std::move(*block));
   result.state = interpreter.state();
@@ -29,8 +37,8 @@ inline Interpreted interpret(Reader reader, const Machine& machine = {},
 }
 
 inline Interpreted interpret(std::string text, const Machine& machine = {},
-                             InterpreterOptions options = {}) {
-  return interpret(Reader::from_text(std::move(text)), machine, options);
+                             InterpreterOptions options = {}, const MachineState& state = {}) {
+  return interpret(Reader::from_text(std::move(text)), machine, options, state);
 }
 
 /// The blocks of a program that has to be without any error.
@@ -70,5 +78,8 @@ inline bool near(const AxisVector& a, const AxisVector& b, double tolerance = 1e
 }
 
 using Places = std::vector<std::string>;
+
+/// What is told in words.
+using Told = std::vector<std::string>;
 
 }  // namespace softcnc::ipr

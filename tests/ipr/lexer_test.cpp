@@ -9,17 +9,17 @@
 namespace softcnc::ipr {
 namespace {
 
-using Kind = Token::Kind;
+using TokenKind = Token::Kind;
 
 std::vector<Token> tokens_of(std::string_view line) {
   Lexer lexer(line);
   std::vector<Token> tokens;
-  for (Token token = lexer.next(); token.kind != Kind::end; token = lexer.next())
+  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
     tokens.push_back(token);
   return tokens;
 }
 
-Kind only_kind(std::string_view line) {
+TokenKind only_kind(std::string_view line) {
   const auto tokens = tokens_of(line);
   REQUIRE(tokens.size() == 1);
   return tokens.front().kind;
@@ -48,7 +48,7 @@ TEST_CASE("a line is cut into letters and numbers with their columns", "[ipr][le
   CHECK(tokens[2].letter == 'G');
   CHECK(tokens[2].column == 5);
   CHECK(tokens[3].value == 2.0);
-  CHECK(tokens[5].kind == Kind::number);
+  CHECK(tokens[5].kind == TokenKind::number);
   CHECK(tokens[5].value == -6.5);
   CHECK(tokens[5].column == 10);
   CHECK(tokens[5].end_column() == 14);
@@ -75,19 +75,19 @@ TEST_CASE("a '(' inside a comment is part of it, unless a second ')' follows", "
   CHECK(tokens_of("(a ( b) ; )").empty());
   const auto tokens = tokens_of("(a (b) c) X1");
   REQUIRE_FALSE(tokens.empty());
-  CHECK(tokens[0].kind == Kind::nested_comment);
+  CHECK(tokens[0].kind == TokenKind::nested_comment);
   CHECK(tokens[0].column == 4);
   CHECK(tokens[0].length == 3);
 }
 
 TEST_CASE("marks and strangers are distinguished", "[ipr][lexer]") {
-  CHECK(only_kind("/") == Kind::slash);
-  CHECK(only_kind("%") == Kind::percent);
-  CHECK(only_kind("#") == Kind::macro);
-  CHECK(only_kind("[") == Kind::macro);
-  CHECK(only_kind(")") == Kind::unknown);
-  CHECK(only_kind(std::string_view("\0", 1)) == Kind::nul);
-  CHECK(only_kind("(open") == Kind::open_comment);
+  CHECK(only_kind("/") == TokenKind::slash);
+  CHECK(only_kind("%") == TokenKind::percent);
+  CHECK(only_kind("#") == TokenKind::macro);
+  CHECK(only_kind("[") == TokenKind::macro);
+  CHECK(only_kind(")") == TokenKind::unknown);
+  CHECK(only_kind(std::string_view("\0", 1)) == TokenKind::nul);
+  CHECK(only_kind("(open") == TokenKind::open_comment);
 }
 
 TEST_CASE("an unknown character is one token, however many bytes it has", "[ipr][lexer]") {

@@ -3,33 +3,23 @@
 // Sub-Program Call".
 #include <catch2/catch.hpp>
 
+#include "ipr/ends.hpp"
 #include "ipr/interpret.hpp"
 
 namespace softcnc::ipr {
-namespace {
-
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
-std::vector<double> places_along_x(const std::string& text, InterpreterOptions options = kFanuc) {
-  std::vector<double> all;
-  for (const Move& move : moves_of(text, {}, options)) all.push_back(end(move.path).x());
-  return all;
-}
-
-using Stops = std::vector<double>;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("M97 calls lines of its program and comes back", "[ipr][flow][local]") {
   const std::string text = "O30\nM97 P100\nG00 X5\nM30\nN100 G00 X1\nX2\nM99\n";
+  CHECK(places_along_x(text, Dialect::fanuc) == Stops{1, 2, 5});
   CHECK(places_along_x(text) == Stops{1, 2, 5});
-  CHECK(places_along_x(text, {}) == Stops{1, 2, 5});
 }
 
 TEST_CASE("L repeats the lines", "[ipr][flow][local]") {
-  CHECK(places_along_x("O11\nM97 P1000 L3\nM30\nN1000 G91 G00 X1\nX2\nM99\n") ==
+  CHECK(places_along_x("O11\nM97 P1000 L3\nM30\nN1000 G91 G00 X1\nX2\nM99\n", Dialect::fanuc) ==
         Stops{1, 3, 4, 6, 7, 9});
-  CHECK(places_along_x("O11\nM97 P1000 L0\nG00 X7\nM30\nN1000 G00 X1\nM99\n") == Stops{7});
+  CHECK(places_along_x("O11\nM97 P1000 L0\nG00 X7\nM30\nN1000 G00 X1\nM99\n", Dialect::fanuc) ==
+        Stops{7});
 }
 
 TEST_CASE("the example of Haas' manual goes down in ten steps", "[ipr][flow][local]") {
@@ -48,26 +38,27 @@ TEST_CASE("the example of Haas' manual goes down in ten steps", "[ipr][flow][loc
 }
 
 TEST_CASE("M98 P Q repeats from its line too", "[ipr][flow][local]") {
-  CHECK(places_along_x("M98 P2 Q10 L2\nM30\nO2\nG91 G00 X100\nN10 G91 G00 X1\nM99\n") ==
-        Stops{1, 2});
+  CHECK(places_along_x("M98 P2 Q10 L2\nM30\nO2\nG91 G00 X100\nN10 G91 G00 X1\nM99\n",
+                       Dialect::fanuc) == Stops{1, 2});
 }
 
 TEST_CASE("lines may stand before the call, and call others", "[ipr][flow][local]") {
-  CHECK(
-      places_along_x("GOTO 5\nN1 G00 X1\nM97 P2\nX3\nM99\nN2 X2\nM99\nN5 M97 P1\nM97 P2\nM30\n") ==
-      Stops{1, 2, 3, 2});
+  CHECK(places_along_x("GOTO 5\nN1 G00 X1\nM97 P2\nX3\nM99\nN2 X2\nM99\nN5 M97 P1\nM97 P2\nM30\n",
+                       Dialect::fanuc) == Stops{1, 2, 3, 2});
 }
 
 TEST_CASE("lines of a subprogram are looked for in it", "[ipr][flow][local]") {
-  CHECK(places_along_x("M98 P7\nM30\nN1 G00 X9\nM99\nO7\nM97 P1\nG00 X4\nM99\nN1 G00 X3\nM99\n") ==
-        Stops{3, 4});
+  CHECK(places_along_x("M98 P7\nM30\nN1 G00 X9\nM99\nO7\nM97 P1\nG00 X4\nM99\nN1 G00 X3\nM99\n",
+                       Dialect::fanuc) == Stops{3, 4});
 }
 
 TEST_CASE("called lines share variables, and M99 P and GOTO lead on", "[ipr][flow][local]") {
-  CHECK(places_along_x("#1=3\nM97 P9\nG00 X#1\nN20 X8\nM30\nN9 #1=#1+1\nM99\n") == Stops{4, 8});
-  CHECK(places_along_x("M97 P9\nG00 X1\nN20 G00 X8\nM30\nN9 G00 X2\nM99 P20\n") == Stops{2, 8});
-  CHECK(places_along_x("M97 P9\nG00 X1\nM30\nN9 GOTO 11\nG00 X5\nN11 G00 X6\nM99\n") ==
-        Stops{6, 1});
+  CHECK(places_along_x("#1=3\nM97 P9\nG00 X#1\nN20 X8\nM30\nN9 #1=#1+1\nM99\n", Dialect::fanuc) ==
+        Stops{4, 8});
+  CHECK(places_along_x("M97 P9\nG00 X1\nN20 G00 X8\nM30\nN9 G00 X2\nM99 P20\n", Dialect::fanuc) ==
+        Stops{2, 8});
+  CHECK(places_along_x("M97 P9\nG00 X1\nM30\nN9 GOTO 11\nG00 X5\nN11 G00 X6\nM99\n",
+                       Dialect::fanuc) == Stops{6, 1});
 }
 
 TEST_CASE("a check of lines that are not run finds nothing wrong with called ones",
@@ -84,7 +75,7 @@ TEST_CASE("a check of lines that are not run finds nothing wrong with called one
 }
 
 TEST_CASE("M30 within called lines ends the program", "[ipr][flow][local]") {
-  CHECK(places_along_x("M97 P9\nG00 X1\nN9 G00 X2\nM30\n") == Stops{2});
+  CHECK(places_along_x("M97 P9\nG00 X1\nN9 G00 X2\nM30\n", Dialect::fanuc) == Stops{2});
 }
 
 TEST_CASE("what is missing of called lines is reported", "[ipr][flow][local]") {

@@ -10,8 +10,6 @@
 namespace softcnc::ipr {
 namespace {
 
-const InterpreterOptions kFanuc{false, false, Dialect::fanuc};
-
 /// Where the last move of a program ends, mm.
 AxisVector end_of(const std::string& text, InterpreterOptions options = {}) {
   AxisVector end = AxisVector::Zero();

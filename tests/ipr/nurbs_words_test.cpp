@@ -7,13 +7,13 @@
 namespace softcnc::ipr {
 namespace {
 
-struct Curve {
+struct ReadCurve {
   Move move;
   SourcePos source;
   const NurbsSpec& spec() const { return std::get<Nurbs>(move.path).spec(); }
 };
 
-Curve only_curve(const std::string& program) {
+ReadCurve only_curve(const std::string& program) {
   for (Block& block : blocks_of(program))
     if (auto* move = std::get_if<Move>(&block.what))
       if (std::holds_alternative<Nurbs>(move->path)) return {std::move(*move), block.source};
@@ -27,7 +27,7 @@ const std::vector<double> kClampedCubic{0, 0, 0, 0, 1, 1, 1, 1};
 
 TEST_CASE("a curve takes its points, weights, knots, feed and line from its blocks",
           "[ipr][nurbs]") {
-  const Curve curve = only_curve(
+  const ReadCurve curve = only_curve(
       "F600\n\nN7 G06.2 P4 K0 X0 Y0\n(c)\nR2 K0 Y5 X5\n\nN8 K0 X10 Y-5 R.5\nK0 X15 Y0\n"
       "K1\nK1\nN9\nK1\nK1\nM30\n");
   CHECK(curve.source.line == 3);
@@ -47,7 +47,7 @@ TEST_CASE("without P the order is 4", "[ipr][nurbs]") {
 }
 
 TEST_CASE("a first block without axes is the position, and the second names them", "[ipr][nurbs]") {
-  const Curve curve = only_curve("F600 G00 X3 Y4\nG06.2 P2 K0 R3\nK0 X5 Y6\nK1\nK1\nM30\n");
+  const ReadCurve curve = only_curve("F600 G00 X3 Y4\nG06.2 P2 K0 R3\nK0 X5 Y6\nK1\nK1\nM30\n");
   CHECK(curve.spec().control[0] == AxisVector(3, 4, 0));
   CHECK(curve.spec().weights == std::vector<double>{3, 1});
 }
@@ -72,9 +72,9 @@ TEST_CASE("the first point may lie one BLU off, and no more", "[ipr][nurbs]") {
 }
 
 TEST_CASE("in G91 points are distances from the point before, in G20 inches", "[ipr][nurbs]") {
-  const Curve steps = only_curve("G91 F600\nG06.2 P2 K0 X0\nK0 X5 \nK1 X5\nK2\nK2\nM30\n");
+  const ReadCurve steps = only_curve("G91 F600\nG06.2 P2 K0 X0\nK0 X5 \nK1 X5\nK2\nK2\nM30\n");
   CHECK(steps.spec().control[2] == AxisVector(10, 0, 0));
-  const Curve inches = only_curve("G20 F60\nG06.2 P2 K0 X0 Y0\nK0 X1 Y-1\nK1\nK1\nM30\n");
+  const ReadCurve inches = only_curve("G20 F60\nG06.2 P2 K0 X0 Y0\nK0 X1 Y-1\nK1\nK1\nM30\n");
   CHECK(inches.spec().control[1] == AxisVector(25.4, -25.4, 0));
   CHECK(inches.move.feed == Approx(25.4));
 }
@@ -197,7 +197,7 @@ TEST_CASE("control points count work offsets and rotation", "[ipr][nurbs]") {
 }
 
 TEST_CASE("P, F and R in one first block", "[ipr][nurbs]") {
-  const Curve curve = only_curve("G06.2 R2 F300 X0 K0 P2\nK0 X1\nK1\nK1\nM30\n");
+  const ReadCurve curve = only_curve("G06.2 R2 F300 X0 K0 P2\nK0 X1\nK1\nK1\nM30\n");
   CHECK(curve.move.feed == 5.0);
   CHECK(curve.spec().weights.front() == 2.0);
 }

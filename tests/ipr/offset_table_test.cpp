@@ -7,8 +7,6 @@
 namespace softcnc::ipr {
 namespace {
 
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
 MachineState state_after(const std::string& program, InterpreterOptions options = {}) {
   const Interpreted result = interpret(program + "M30\n", {}, options);
   for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));

@@ -9,7 +9,7 @@
 namespace softcnc::ipr {
 namespace {
 
-std::string shown(double value) {
+std::string short_number(double value) {
   std::string text = std::to_string(value);
   return text.erase(text.find_last_not_of('0') + 1);
 }
@@ -23,13 +23,14 @@ std::string parse(std::string text, ParserOptions options = {}) {
   std::string all;
   while (const auto line = parser.next()) {
     all += std::to_string(line->number) + (line->skip ? "/" : "") + (line->broken ? "!" : "") + ":";
-    for (const Word& word : line->words) all += std::string(" ") + word.letter + shown(word.value);
+    for (const Word& word : line->words)
+      all += std::string(" ") + word.letter + short_number(word.value);
     all += '\n';
   }
   return all;
 }
 
-constexpr ParserOptions kFanuc{Dialect::fanuc, false};
+constexpr ParserOptions kFanucParser{Dialect::fanuc, false};
 
 /// "kind label value? condition? arguments" of the only line that is a statement.
 std::string statement_of(std::string text, Dialect dialect = Dialect::linuxcnc) {
@@ -42,9 +43,9 @@ std::string statement_of(std::string text, Dialect dialect = Dialect::linuxcnc) 
   CHECK(diagnostics.all().empty());
   const Statement& statement = *line->statement;
   std::string all = std::to_string(static_cast<int>(statement.kind)) + " " + statement.label;
-  if (statement.has_value) all += " value " + shown(statement.value);
+  if (statement.has_value) all += " value " + short_number(statement.value);
   if (!statement.condition) all += " not";
-  for (const double argument : statement.arguments) all += " " + shown(argument);
+  for (const double argument : statement.arguments) all += " " + short_number(argument);
   return all;
 }
 
@@ -118,11 +119,11 @@ TEST_CASE("in RS274 a line is read before its assignments take effect", "[ipr][p
 }
 
 TEST_CASE("in FANUC an assignment takes effect at once", "[ipr][parser]") {
-  CHECK(parse("#1=1 #2=[#1+5] X#2\nX#2", kFanuc) == "1: X6.\n2: X6.\n");
+  CHECK(parse("#1=1 #2=[#1+5] X#2\nX#2", kFanucParser) == "1: X6.\n2: X6.\n");
 }
 
 TEST_CASE("a word with a vacant variable is not written", "[ipr][parser]") {
-  CHECK(parse("#2=7\nX#1 Y#2\nX#1\n#2=#0\nY#2 Z-#2 F1", kFanuc) == "2: Y7.\n5: F1.\n");
+  CHECK(parse("#2=7\nX#1 Y#2\nX#1\n#2=#0\nY#2 Z-#2 F1", kFanucParser) == "2: Y7.\n5: F1.\n");
 }
 
 TEST_CASE("a failed assignment breaks its line, and what rests on it is lost without a word",
@@ -224,7 +225,7 @@ TEST_CASE("lines that are passed over are read for line numbers and statements a
   while (const auto line = parser.next_statement()) {
     CHECK(line->broken == (line->number == 10));
     all += std::to_string(line->number);
-    if (!line->words.empty()) all += " N" + shown(line->words.front().value);
+    if (!line->words.empty()) all += " N" + short_number(line->words.front().value);
     if (line->statement != nullptr) all += " " + line->statement->label;
     all += line->skip ? "/\n" : "\n";
   }

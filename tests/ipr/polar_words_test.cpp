@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ipr/ends.hpp"
 #include "ipr/reported.hpp"
 
 namespace softcnc::ipr {
@@ -11,24 +12,8 @@ namespace {
 
 const double kRoot3 = std::sqrt(3.0);
 
-std::vector<AxisVector> ends(const std::string& text, InterpreterOptions options = {}) {
-  std::vector<AxisVector> all;
-  for (const Move& move : moves_of(text + "\nM30\n", {}, options)) all.push_back(end(move.path));
-  return all;
-}
-
-void check_ends(const std::string& text, const std::vector<AxisVector>& wanted) {
-  INFO(text);
-  const auto got = ends(text);
-  REQUIRE(got.size() == wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    INFO(i << ": " << got[i].transpose());
-    CHECK(near(got[i], wanted[i]));
-  }
-}
-
 /// The places of the holes of a drilling program, at their bottom Z-1.
-std::vector<AxisVector> holes(const std::string& text, Dialect dialect) {
+std::vector<AxisVector> drilled_places(const std::string& text, Dialect dialect) {
   std::vector<AxisVector> all;
   for (const AxisVector& at : ends(text, {.dialect = dialect}))
     if (at[2] == -1) all.push_back(at);
@@ -70,7 +55,7 @@ TEST_CASE("holes on a circle by G16", "[ipr][polar]") {
   for (const char* next :
        {"Y150\nY270\nG15 G80", "G91 Y120 Z-2 R-4\nY120\nG15 G80", "G91 Y120 Z-2 R-4 K2\nG15 G80"}) {
     INFO(next);
-    const auto found = holes(begin + next, Dialect::fanuc);
+    const auto found = drilled_places(begin + next, Dialect::fanuc);
     REQUIRE(found.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) CHECK(near(found[i], wanted[i]));
   }
@@ -92,7 +77,8 @@ TEST_CASE("@ and ^ give a radius and an angle", "[ipr][polar]") {
 }
 
 TEST_CASE("@ and ^ place the holes of cycles", "[ipr][polar]") {
-  const auto found = holes("F100\nG0 X5 Z2\nG91 G81 ^90 Z-2 R-1 L3\nG80", Dialect::linuxcnc);
+  const auto found =
+      drilled_places("F100\nG0 X5 Z2\nG91 G81 ^90 Z-2 R-1 L3\nG80", Dialect::linuxcnc);
   REQUIRE(found.size() == 3);
   CHECK(near(found[0], {0, 5, -1}));
   CHECK(near(found[1], {-5, 0, -1}));

@@ -7,10 +7,17 @@
 namespace softcnc::ipr {
 
 /// The places of its diagnostics; M30 is added to the text.
-inline Places reported(std::string text, Dialect dialect = Dialect::linuxcnc) {
-  InterpreterOptions options;
-  options.dialect = dialect;
-  return places(interpret(std::move(text) + "\nM30\n", Machine{}, options));
+inline Places reported(std::string text, const InterpreterOptions& options,
+                       const Machine& machine = {}) {
+  return places(interpret(std::move(text) + "\nM30\n", machine, options));
+}
+inline Places reported(std::string text, Dialect dialect = Dialect::linuxcnc,
+                       const Machine& machine = {}) {
+  return reported(std::move(text), in(dialect), machine);
+}
+
+inline Places haas_reported(std::string text, const Machine& machine = {}) {
+  return reported(std::move(text), kHaas, machine);
 }
 
 }  // namespace softcnc::ipr

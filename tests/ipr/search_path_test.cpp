@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "ipr/ends.hpp"
 #include "ipr/interpret.hpp"
 #include "support/folder.hpp"
 #include "support/shown.hpp"
@@ -41,15 +42,7 @@ class Shop : public Folder {
   CalledTexts* called = nullptr;
 };
 
-double last_x(const Interpreted& result) {
-  for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));
-  double x = -1;
-  for (const Block& block : result.blocks)
-    if (const auto* move = std::get_if<Move>(&block.what)) x = end(move->path)[0];
-  return x;
-}
-
-std::string reported(const Interpreted& result) {
+std::string rendered(const Interpreted& result) {
   std::string text;
   for (const Diagnostic& diagnostic : result.diagnostics) text += render(diagnostic);
   return text;
@@ -117,16 +110,16 @@ TEST_CASE("a file that does not have its subprogram does not hide one in a later
 TEST_CASE("a call that finds nothing says where it has looked", "[ipr][search]") {
   Shop shop;
   const std::string lib = shop / "lib", more = shop / "more", gone = shop / "gone";
-  CHECK(shows(reported(shop.run(kCall, {})),
+  CHECK(shows(rendered(shop.run(kCall, {})),
               "1:1: error: no subprogram o<hole> in this program or beside it [SC2301]"));
-  CHECK(shows(reported(shop.run(kCall, {"lib"}, {"more", "gone"})),
+  CHECK(shows(rendered(shop.run(kCall, {"lib"}, {"more", "gone"})),
               "1:1: error: no subprogram o<hole> in this program, beside it, in " + lib + ", in " +
                   more + " or in " + gone + " (no such folder) [SC2301]"));
-  CHECK(shows(reported(shop.run(kCall, {"lib", "lib", "lib", "lib", "lib", "lib"})),
+  CHECK(shows(rendered(shop.run(kCall, {"lib", "lib", "lib", "lib", "lib", "lib"})),
               "in " + lib + " or in 2 more folders [SC2301]"));
   InterpreterOptions options;
   options.subprogram_folders = {lib};
-  CHECK(shows(reported(interpret(kCall, {}, options)),
+  CHECK(shows(rendered(interpret(kCall, {}, options)),
               "no subprogram o<hole> in this program or in " + lib + " [SC2301]"));
 }
 
@@ -134,7 +127,7 @@ TEST_CASE("no call leads out of a folder of the search path", "[ipr][search]") {
   Shop shop;
   shop.with("more/hole.ngc", sub("hole", 5));
   const auto fails = [&](const std::string& call) {
-    return shows(reported(shop.run(call + "\nM2\n", {"lib"})), "[SC2301]");
+    return shows(rendered(shop.run(call + "\nM2\n", {"lib"})), "[SC2301]");
   };
   CHECK(fails("o<../more/hole> call"));
   CHECK(fails("o<" + (shop / "more/hole") + "> call"));
@@ -156,15 +149,15 @@ TEST_CASE("links that stay within a folder are followed, and so is one to the fo
   CHECK(last_x(shop.run(kCall, {"lib"})) == 6);
   CHECK(last_x(shop.run(kCall, {"link"})) == 6);
   std::filesystem::create_symlink("nothing.ngc", shop / "lib/gone.ngc");
-  CHECK(shows(reported(shop.run("o<gone> call\nM2\n", {"lib"})), "[SC2301]"));
+  CHECK(shows(rendered(shop.run("o<gone> call\nM2\n", {"lib"})), "[SC2301]"));
 }
 
 TEST_CASE("only regular files of the search path are read", "[ipr][search]") {
   Shop shop;
   std::filesystem::create_symlink("/dev/null", shop / "lib/hole.ngc");
-  CHECK(shows(reported(shop.run(kCall, {"lib"})), "[SC2317]"));
+  CHECK(shows(rendered(shop.run(kCall, {"lib"})), "[SC2317]"));
   std::filesystem::create_directory(shop / "more/hole.ngc");
-  CHECK(shows(reported(shop.run(kCall, {"more"})), "Is a directory [SC6031]"));
+  CHECK(shows(rendered(shop.run(kCall, {"more"})), "Is a directory [SC6031]"));
 }
 
 TEST_CASE("called files and those that are not there are known by their paths", "[ipr][search]") {

@@ -51,10 +51,8 @@ std::vector<std::string> told(const std::string& program, const Machine& machine
   return told(blocks_of(program, machine, options));
 }
 
-using Told = std::vector<std::string>;
-
 /// The diagnostics of a program, as softcnc shows them without the source lines.
-std::vector<std::string> shown(const std::string& program, const Machine& machine) {
+std::vector<std::string> shown_lines(const std::string& program, const Machine& machine) {
   std::vector<std::string> all;
   for (Diagnostic diagnostic : interpret(program, machine).diagnostics) {
     diagnostic.file = "p.nc";
@@ -65,7 +63,7 @@ std::vector<std::string> shown(const std::string& program, const Machine& machin
 }
 
 /// X of the last move.
-double last_x(const std::string& program, const Machine& machine) {
+double x_at_end(const std::string& program, const Machine& machine) {
   const auto moves = moves_of(program, machine);
   REQUIRE_FALSE(moves.empty());
   return end(moves.back().path).x();
@@ -104,10 +102,10 @@ TEST_CASE("a line with an error sets no output", "[ipr][signals]") {
 
 TEST_CASE("M66 reads an input at once into #5399", "[ipr][signals]") {
   Machine machine = machine_with_devices();
-  CHECK(last_x("M66 E0\nG0 X#5399\nM30\n", machine) == 2.5);
-  CHECK(last_x("M66 P0 L0\nG0 X[7+#5399]\nM30\n", machine) == 7);
+  CHECK(x_at_end("M66 E0\nG0 X#5399\nM30\n", machine) == 2.5);
+  CHECK(x_at_end("M66 P0 L0\nG0 X[7+#5399]\nM30\n", machine) == 7);
   machine.inputs["door"].value = 1;
-  CHECK(last_x("M66 P0 L0 Q-1\nG0 X[7+#5399]\nM30\n", machine) == 8);
+  CHECK(x_at_end("M66 P0 L0 Q-1\nG0 X[7+#5399]\nM30\n", machine) == 8);
 }
 
 TEST_CASE("the n-th M66 on a line takes the n-th value for the line", "[ipr][signals]") {
@@ -115,12 +113,12 @@ TEST_CASE("the n-th M66 on a line takes the n-th value for the line", "[ipr][sig
   InputPort& level = machine.inputs["level"];
   level.lines = {2, 2, 4};
   level.values = {10, 20, 30};
-  CHECK(last_x("o1 repeat [3]\nM66 E0\no1 endrepeat\nG0 X#5399\nM30\n", machine) == 20);
-  CHECK(last_x("G0 X1\nM66 E0\nG0 X#5399\nM66 E0\nG0 X#5399\nM66 E0\nX#5399\nM30\n", machine) ==
+  CHECK(x_at_end("o1 repeat [3]\nM66 E0\no1 endrepeat\nG0 X#5399\nM30\n", machine) == 20);
+  CHECK(x_at_end("G0 X1\nM66 E0\nG0 X#5399\nM66 E0\nG0 X#5399\nM66 E0\nX#5399\nM30\n", machine) ==
         30);
   machine.inputs["door"].lines = {2, 2, 2};
   machine.inputs["door"].values = {0, 0, 1};
-  CHECK(last_x("o1 do\nM66 P0\nG91 G0 X1\no1 while [#5399 EQ 0]\nM30\n", machine) == 3);
+  CHECK(x_at_end("o1 do\nM66 P0\nG91 G0 X1\no1 while [#5399 EQ 0]\nM30\n", machine) == 3);
 }
 
 TEST_CASE("M66 waits for what L says, Q seconds at most", "[ipr][signals]") {
@@ -148,7 +146,7 @@ TEST_CASE("M66 waits for what L says, Q seconds at most", "[ipr][signals]") {
 }
 
 TEST_CASE("a wait in vain is a note", "[ipr][signals]") {
-  CHECK(shown("M66 P0 L3 Q2.5\nM30\n", machine_with_devices()) ==
+  CHECK(shown_lines("M66 P0 L3 Q2.5\nM30\n", machine_with_devices()) ==
         Told{"p.nc:1:1: note: M66 waits 2.5 s for input 'door' in vain: #5399 is -1 [SC2244]"});
 }
 
@@ -159,7 +157,7 @@ TEST_CASE("in the fanuc dialect M66 waits, and there is no #5399", "[ipr][signal
 
 TEST_CASE("outputs and inputs that the machine does not have are errors", "[ipr][signals]") {
   const Machine machine = machine_with_devices();
-  CHECK(shown("M62 P0\nM68 E1 Q1\nM66 P1 L0\nM66 E7\nM30\n", machine) ==
+  CHECK(shown_lines("M62 P0\nM68 E1 Q1\nM66 P1 L0\nM66 E7\nM30\n", machine) ==
         Told{"p.nc:1:5: error: M62 sets digital output 0, which the machine does not have [SC2240]",
              "p.nc:2:5: error: M68 sets analog output 1, which the machine does not have [SC2240]",
              "p.nc:3:5: error: M66 reads digital input 1, which the machine does not have [SC2241]",
@@ -169,7 +167,7 @@ TEST_CASE("outputs and inputs that the machine does not have are errors", "[ipr]
 
 TEST_CASE("words of M62 to M68 that are missing or wrong are errors", "[ipr][signals]") {
   const Machine machine = machine_with_devices();
-  CHECK(shown("M62\nM67 Q1\nM68 E0\nM66\nM64 P-1\nM65 P1.4\nM66 P0 L5 Q1\nM30\n", machine) ==
+  CHECK(shown_lines("M62\nM67 Q1\nM68 E0\nM66\nM64 P-1\nM65 P1.4\nM66 P0 L5 Q1\nM30\n", machine) ==
         Told{"p.nc:1:1: error: M62 needs P, the number of a digital output [SC2005]",
              "p.nc:2:1: error: M67 needs E, the number of an analog output [SC2005]",
              "p.nc:3:1: error: M68 needs Q, the value of the output [SC2005]",
@@ -178,8 +176,9 @@ TEST_CASE("words of M62 to M68 that are missing or wrong are errors", "[ipr][sig
              "p.nc:5:5: error: P takes a whole number from 0 [SC2007]",
              "p.nc:6:5: error: P takes a whole number from 0 [SC2007]",
              "p.nc:7:8: error: L of M66 is a whole number from 0 to 4 [SC2007]"});
-  CHECK(shown("M66 P0 E0\nM66 E0 L1 Q1\nM66 P0 L3\nM66 P0 L3 Q0\nM66 P0 L1 Q[2*999999999]\nM30\n",
-              machine) ==
+  CHECK(shown_lines(
+            "M66 P0 E0\nM66 E0 L1 Q1\nM66 P0 L3\nM66 P0 L3 Q0\nM66 P0 L1 Q[2*999999999]\nM30\n",
+            machine) ==
         Told{"p.nc:1:8: error: M66 with P and E: it reads one input [SC2242]",
              "p.nc:2:8: error: M66 L1 with E: an analog input is read at once [SC2242]",
              "p.nc:3:1: error: M66 L3 needs Q, the longest time to wait, in seconds, above 0 "
@@ -216,12 +215,12 @@ TEST_CASE("M52 P1 multiplies the feed by an input, P0 does not", "[ipr][signals]
   CHECK(moves[3].feed == 2.5);
   CHECK(moves[4].feed == 10);
   machine.inputs["adaptive-feed"].value = 0;
-  CHECK(shown("M52 P1\nM53\nM30\n", machine) ==
+  CHECK(shown_lines("M52 P1\nM53\nM30\n", machine) ==
         Told{"p.nc:1:1: error: M52 takes the feed by input 'adaptive-feed', which is 0 here "
              "[SC2243]",
              "p.nc:2:1: error: M53 goes by a digital input named 'feed-hold', which the machine "
              "does not have; P0 is accepted [SC2241]"});
-  CHECK(shown("M52 P1\nM53 P0\nM30\n", Machine{}) ==
+  CHECK(shown_lines("M52 P1\nM53 P0\nM30\n", Machine{}) ==
         Told{"p.nc:1:1: error: M52 goes by an analog input named 'adaptive-feed', which the "
              "machine does not have; P0 is accepted [SC2241]"});
 }

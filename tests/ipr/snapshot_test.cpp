@@ -12,6 +12,7 @@
 
 #include "ipr/interpret.hpp"
 #include "ipr/text/called_texts.hpp"
+#include "support/files.hpp"
 #include "support/folder.hpp"
 #include "support/shown.hpp"
 
@@ -19,11 +20,6 @@ namespace softcnc::ipr {
 namespace {
 
 using test::Folder;
-
-std::string text_of(const std::string& name) {
-  std::ifstream in(name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A text in which no two pieces are alike.
 std::string text_of_size(std::size_t size) {
@@ -78,14 +74,14 @@ TEST_CASE("a snapshot is what the file held, whatever is written into it later",
     const auto snapshot = snapshot_of(name, static_cast<std::int64_t>(begin));
     REQUIRE(snapshot);
     std::ofstream(name, std::ios::binary) << "something else";
-    CHECK(text_of(snapshot->name()) == text.substr(begin));
+    CHECK(test::bytes_of(snapshot->name()) == text.substr(begin));
   }
 }
 
 TEST_CASE("a snapshot of a file without a size is what reading it gives", "[ipr][snapshot]") {
   const auto snapshot = snapshot_of("/proc/self/limits");
   REQUIRE(snapshot);
-  CHECK(text_of(snapshot->name()).starts_with("Limit "));
+  CHECK(test::bytes_of(snapshot->name()).starts_with("Limit "));
 }
 
 TEST_CASE("a long snapshot needs the folder for temporary files, a short one does not",

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "ipr/ends.hpp"
 #include "ipr/reported.hpp"
 
 namespace softcnc::ipr {
@@ -14,25 +15,7 @@ namespace {
 
 using Map = std::function<AxisVector(const AxisVector&)>;
 
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 constexpr const char* kAngle345 = "R36.8698976458440213";  // of the triangle 3 4 5
-
-std::vector<AxisVector> ends(const std::string& text, InterpreterOptions options = {}) {
-  std::vector<AxisVector> all;
-  for (const Move& move : moves_of(text + "\nM30\n", {}, options)) all.push_back(end(move.path));
-  return all;
-}
-
-void check_ends(const std::string& text, const std::vector<AxisVector>& wanted,
-                InterpreterOptions options = {}) {
-  INFO(text);
-  const auto got = ends(text, options);
-  REQUIRE(got.size() == wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    INFO(i << ": " << got[i].transpose());
-    CHECK(near(got[i], wanted[i]));
-  }
-}
 
 /// Each path begins where the one before ends, exactly.
 void check_joined(const std::vector<Move>& moves) {

@@ -6,11 +6,7 @@
 #include "ipr/interpret.hpp"
 
 namespace softcnc::ipr {
-namespace {
-
-const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("each work system has its origin", "[ipr][offsets]") {
   const std::string set =

@@ -70,7 +70,7 @@ Turn any_turn() {
           real(-pi, pi), sweep,         real(-20, 20)};
 }
 
-std::string refusal(const ArcSpec& spec) {
+std::string arc_refusal(const ArcSpec& spec) {
   const auto arc = Arc::make(spec);
   REQUIRE_FALSE(arc);
   CHECK(arc.error().pos.line == 0);  // the place is the caller's to know
@@ -297,12 +297,12 @@ TEST_CASE("no accepted arc strays from its programmed circle", "[motion][arc][pr
 
 TEST_CASE("an arc whose end is off its circle is refused", "[motion][arc][code]") {
   CHECK(
-      refusal({{40, 40, 0}, {60, 20, 0}, {40, 19.7, 0}, Plane::xy, false}) ==
+      arc_refusal({{40, 40, 0}, {60, 20, 0}, {40, 19.7, 0}, Plane::xy, false}) ==
       "2103: G02 ends 0.298 mm off its circle (radius 20.3 mm at the start, 20.002 mm at the end)");
-  CHECK(refusal({{0, 0, 10}, {10.35, 0, 0}, {0, 0, 0}, Plane::zx, true}) ==
+  CHECK(arc_refusal({{0, 0, 10}, {10.35, 0, 0}, {0, 0, 0}, Plane::zx, true}) ==
         "2103: G03 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end)");
   CHECK(
-      refusal({{10, 0, 0}, {0, 10.0283, 0}, {0, 0, 0}, Plane::xy, true}) ==
+      arc_refusal({{10, 0, 0}, {0, 10.0283, 0}, {0, 0, 0}, Plane::xy, true}) ==
       "2103: G03 ends 0.0283 mm off its circle (radius 10 mm at the start, 10.0283 mm at the end)");
   CHECK_FALSE(Arc::make({{10, 0, 0}, {0, 10, 0}, {std::nan(""), 0, 0}}));
 }
@@ -338,11 +338,11 @@ TEST_CASE("a short gap does not magnify how far the end is off", "[motion][arc]"
 }
 
 TEST_CASE("an arc about its own start or end is refused", "[motion][arc][code]") {
-  CHECK(refusal({{3, 4, 0}, {3, 4, 0}, {3, 4, 9}, Plane::xy, true}) ==
+  CHECK(arc_refusal({{3, 4, 0}, {3, 4, 0}, {3, 4, 9}, Plane::xy, true}) ==
         "2104: G03 has no radius: its centre is its start");
-  CHECK(refusal({{3, 4, 0}, {5, 4, 0}, {3, 4, 9}, Plane::xy, false}) ==
+  CHECK(arc_refusal({{3, 4, 0}, {5, 4, 0}, {3, 4, 9}, Plane::xy, false}) ==
         "2104: G02 has no radius: its centre is its start");
-  CHECK(refusal({{0.005, 4, 0}, {0, 4, 0}, {0, 4, 9}, Plane::xy, false}) ==
+  CHECK(arc_refusal({{0.005, 4, 0}, {0, 4, 0}, {0, 4, 9}, Plane::xy, false}) ==
         "2104: G02 has no radius: its centre is its end");
 }
 

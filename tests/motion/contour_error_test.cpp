@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 
 using namespace softcnc;
 
@@ -85,12 +86,10 @@ ContourReport run(
   return contour.report();
 }
 
-Path line(const AxisVector& from, const AxisVector& to) { return Line(from, to); }
-
 }  // namespace
 
 TEST_CASE("a loop of gain kv lags behind on a line, and stays on it", "[motion][contour]") {
-  const ContourReport report = run({{line({0, 0, 0}, {60, 80, 0})}}, 50, 30);
+  const ContourReport report = run({{test::line({0, 0, 0}, {60, 80, 0})}}, 50, 30);
   CHECK(report.cutting.max < 1e-9);
   CHECK(report.cutting.rms() < 1e-9);
   CHECK(report.cutting.instants == 1 + 4 * 2000);
@@ -110,7 +109,7 @@ TEST_CASE("a loop of gain kv makes a circle smaller by the closed form", "[motio
 
 TEST_CASE("a tool that stands still beside the path is as far off as it stands",
           "[motion][contour]") {
-  const Path path = line({0, 0, 0}, {10, 0, 0});
+  const Path path = test::line({0, 0, 0}, {10, 0, 0});
   Contour contour(kPeriod);
   contour.begin(2, 0);
   contour.add({&path, 0, 10}, 0, {3, false});
@@ -129,7 +128,7 @@ TEST_CASE("a tool that stands still beside the path is as far off as it stands",
 }
 
 TEST_CASE("the largest error may be between two rows", "[motion][contour]") {
-  const Path path = line({0, 0, 0}, {10, 0, 0});
+  const Path path = test::line({0, 0, 0}, {10, 0, 0});
   Contour contour(kPeriod);
   contour.begin(2, 0);
   contour.add({&path, 0, 10}, 0, {1, false});
@@ -148,7 +147,7 @@ TEST_CASE("a corner that is run through without a stop is cut as the loop's resp
   // In the corner's frame the loop is off by L exp(-s/L) along the old side and has gone
   // s - L (1 - exp(-s/L)) along the new one, with L = v / kv and s the path after the corner.
   const double v = 20, kv = 40, lag = v / kv;
-  const Program corner{{line({-20, 0, 0}, {0, 0, 0}), line({0, 0, 0}, {0, 20, 0})}};
+  const Program corner{{test::line({-20, 0, 0}, {0, 0, 0}), test::line({0, 0, 0}, {0, 20, 0})}};
   double expected = 0;
   for (int i = 0; i < 100000; ++i) {
     const double s = 5 * lag * i / 1e5, decay = std::exp(-s / lag);
@@ -160,8 +159,8 @@ TEST_CASE("a corner that is run through without a stop is cut as the loop's resp
 
 TEST_CASE("the neighbouring pass of a raster does not hide an error", "[motion][contour]") {
   // The tool is half a pass off, then on the pass that comes later.
-  const Program raster{{line({0, 0, 0}, {20, 0, 0}), line({20, 0, 0}, {20, 0.1, 0}),
-                        line({20, 0.1, 0}, {0, 0.1, 0})}};
+  const Program raster{{test::line({0, 0, 0}, {20, 0, 0}), test::line({20, 0, 0}, {20, 0.1, 0}),
+                        test::line({20, 0.1, 0}, {0, 0.1, 0})}};
   Contour contour(kPeriod);
   contour.begin(3, 0);
   raster.add_to(contour);
@@ -175,7 +174,7 @@ TEST_CASE("the neighbouring pass of a raster does not hide an error", "[motion][
 }
 
 TEST_CASE("the point that counts never moves backward", "[motion][contour]") {
-  const Path path = line({0, 0, 0}, {10, 0, 0});
+  const Path path = test::line({0, 0, 0}, {10, 0, 0});
   Contour contour(kPeriod);
   contour.begin(3, 0);
   contour.add({&path, 0, 10}, 0, {1, false});
@@ -191,7 +190,8 @@ TEST_CASE(
     "where the path comes back the way it went, the tool is not taken to the way back too soon",
     "[motion][contour]") {
   // As in drilling; the encoder swings along the path.
-  const Program peck{{line({1, 2, 0.3}, {1, 2, -0.1}), line({1, 2, -0.1}, {1, 2, 0.3})}};
+  const Program peck{
+      {test::line({1, 2, 0.3}, {1, 2, -0.1}), test::line({1, 2, -0.1}, {1, 2, 0.3})}};
   Contour contour(kPeriod);
   constexpr int kRows = 400;
   contour.begin(2 * kRows, 0);
@@ -209,7 +209,8 @@ TEST_CASE(
 }
 
 TEST_CASE("cutting moves and rapids are counted apart, by where the tool is", "[motion][contour]") {
-  const Program program{{line({0, 0, 0}, {10, 0, 0}), line({10, 0, 0}, {10, 10, 0})}, 0};
+  const Program program{{test::line({0, 0, 0}, {10, 0, 0}), test::line({10, 0, 0}, {10, 10, 0})},
+                        0};
   const ContourReport report =
       run(program, 20, 20, [&](const Setpoint&, const AxisVector&, double) {});
   CHECK(report.rapids.line == 1);
@@ -221,7 +222,7 @@ TEST_CASE("cutting moves and rapids are counted apart, by where the tool is", "[
 
 TEST_CASE("the path may come in batches, and what was ahead of one may change",
           "[motion][contour]") {
-  const Path first = line({0, 0, 0}, {10, 0, 0}), other = line({5, 0, 0}, {5, 10, 0});
+  const Path first = test::line({0, 0, 0}, {10, 0, 0}), other = test::line({5, 0, 0}, {5, 10, 0});
   Contour contour(kPeriod);
   contour.begin(1, 0);
   contour.add({&first, 0, 6}, 0, {1, false});

@@ -12,7 +12,7 @@ using namespace softcnc;
 
 namespace {
 
-double distance(const Portion& portion, const AxisVector& point) {
+double distance_of(const Portion& portion, const AxisVector& point) {
   return (position(*portion.path, nearest(portion, point)) - point).norm();
 }
 
@@ -32,12 +32,12 @@ TEST_CASE("the distance from a line and an arc is that of geometry", "[motion][d
   const Path line = Line({0, 0, 0}, {10, 0, 0});
   const Path arc = Arc::make({{10, 0, 0}, {-10, 0, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
   const Portion on_line{&line, 0, 10}, on_part{&line, 0, 4}, on_arc{&arc, 0, length(arc)};
-  CHECK(distance(on_line, {5, 3, 4}) == Approx(5));
-  CHECK(distance(on_line, {13, 4, 0}) == Approx(5));
-  CHECK(distance(on_part, {7, 0, 4}) == Approx(5));
-  CHECK(distance(on_arc, {3, 4, 0}) == Approx(5));
-  CHECK(distance(on_arc, {-12, -1, 2}) == Approx(3));
-  CHECK(distance(on_arc, {0, 0, 1}) == Approx(std::sqrt(101.0)));
+  CHECK(distance_of(on_line, {5, 3, 4}) == Approx(5));
+  CHECK(distance_of(on_line, {13, 4, 0}) == Approx(5));
+  CHECK(distance_of(on_part, {7, 0, 4}) == Approx(5));
+  CHECK(distance_of(on_arc, {3, 4, 0}) == Approx(5));
+  CHECK(distance_of(on_arc, {-12, -1, 2}) == Approx(3));
+  CHECK(distance_of(on_arc, {0, 0, 1}) == Approx(std::sqrt(101.0)));
   CHECK(nearest(on_arc, {0, 12, 0}, 10) == Approx(5 * std::numbers::pi));
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("a point beside a NURBS is as far from it as it was put", "[motion][de
   const Portion all{&curve, 0, length(curve)};
   for (int i = 1; i < 50; ++i) {
     const PathPoint here = at(curve, length(curve) * i / 50);
-    CHECK(distance(all, here.q + AxisVector(0, 0, 0.25)) == Approx(0.25).epsilon(1e-9));
+    CHECK(distance_of(all, here.q + AxisVector(0, 0, 0.25)) == Approx(0.25).epsilon(1e-9));
   }
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("no place of a curve is nearer than the one found, hairpins and crossi
     double least = off * 2;
     for (const AxisVector& place : places) least = std::min(least, (place - point).norm());
     CAPTURE(i, off);
-    CHECK(distance(all, point) <= least * 1.001 + 1e-6);
+    CHECK(distance_of(all, point) <= least * 1.001 + 1e-6);
   }
 }
 
@@ -72,5 +72,5 @@ TEST_CASE("a point on a hairpin is on it", "[motion][deviation]") {
   const Path curve = hairpin();
   const Portion all{&curve, 0, length(curve)};
   for (int i = 0; i <= 1000; ++i)
-    REQUIRE(distance(all, position(curve, length(curve) * i / 1000)) <= 1e-6);
+    REQUIRE(distance_of(all, position(curve, length(curve) * i / 1000)) <= 1e-6);
 }

@@ -8,7 +8,7 @@ using namespace softcnc;
 
 namespace {
 
-Diagnostic off_circle() {
+Diagnostic off_circle_error() {
   return {Code::SC2103,
           {12, 9, 14},
           "G02 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end)",
@@ -19,7 +19,7 @@ Diagnostic off_circle() {
 }  // namespace
 
 TEST_CASE("a diagnostic shows file, line, column, text, code, source and caret", "[diagnostic]") {
-  CHECK(render(off_circle()) ==
+  CHECK(render(off_circle_error()) ==
         "part.nc:12:9: error: G02 ends 0.35 mm off its circle (radius 10 mm at the start, "
         "10.35 mm at the end) [SC2103]\n"
         "   12 | N40 G02 X10 Y0 I0 J-10\n"
@@ -32,7 +32,7 @@ TEST_CASE("editors find place, severity and text by their matcher of gcc", "[dia
       R"(^(.*?):(\d+):(\d*):?\s+(?:fatal\s+)?(warning|error|note):\s+(.*)$)");
   for (const auto& [code, severity] :
        {std::pair(Code::SC2103, "error"), {Code::SC2210, "warning"}, {Code::SC4010, "note"}}) {
-    Diagnostic d = off_circle();
+    Diagnostic d = off_circle_error();
     d.code = code;
     d.message = "F: 3 (G02: see G03)";
     const std::string shown = render(d), line = shown.substr(0, shown.find('\n'));
@@ -47,7 +47,7 @@ TEST_CASE("editors find place, severity and text by their matcher of gcc", "[dia
 }
 
 TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   d.source_line = "\t(\xc3\xa9t\xc3\xa9) X1.2.3";  // two characters of two bytes each
   d.pos = {3, 10, 6};
   d.message = "m";
@@ -59,7 +59,7 @@ TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
 
 TEST_CASE("the caret stands below characters that are wide, and below those under a mark",
           "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   d.message = "m";
   d.source_line = "(\uAC00\u65E5) X1.2.3 e\u0301 \uFF38";
   d.pos = {3, 11, 5};
@@ -72,7 +72,7 @@ TEST_CASE("the caret stands below characters that are wide, and below those unde
 
 TEST_CASE("control characters are shown, not obeyed, and the caret stays in its place",
           "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   // ESC, C1 as UTF-8, C1 as a raw byte, DEL; then a character that is fine
   d.source_line = "G1\x1b[2J \xc2\x9b \x9b \x7f \xc3\xa9 X1.2.3";
   d.pos = {3, 18, 6};
@@ -86,7 +86,7 @@ TEST_CASE("control characters are shown, not obeyed, and the caret stays in its 
 }
 
 TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   d.pos = {};
   d.source_line.clear();
   d.message = "m";
@@ -96,7 +96,7 @@ TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
 }
 
 TEST_CASE("a caret never leaves its line", "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   d.source_line = "G1 X";
   d.pos = {1, 4, 100};
   d.message = "m";
@@ -107,7 +107,7 @@ TEST_CASE("a caret never leaves its line", "[diagnostic]") {
 
 TEST_CASE("of a line that nobody would read to its end, what stands around the caret is shown",
           "[diagnostic]") {
-  Diagnostic d = off_circle();
+  Diagnostic d = off_circle_error();
   d.message = "m";
   const auto shown = [&](std::string line, SourcePos pos) {
     d.source_line = std::move(line);
@@ -131,7 +131,7 @@ TEST_CASE("of a line that nobody would read to its end, what stands around the c
 
 TEST_CASE("exit statuses follow the family of the code and the order of the contract",
           "[diagnostic]") {
-  CHECK(exit_status(off_circle()) == 1);
+  CHECK(exit_status(off_circle_error()) == 1);
   CHECK(exit_status({Code::SC4001, {}, "", "", ""}) == 3);
   CHECK(exit_status({Code::SC9001, {}, "", "", ""}) == 70);
   CHECK(worse_status(1, 3) == 1);
@@ -145,7 +145,7 @@ TEST_CASE("exit statuses follow the family of the code and the order of the cont
 TEST_CASE("diagnostics are kept or passed on, and counted", "[diagnostic]") {
   Diagnostics kept;
   kept.set_file("a.nc");
-  kept.report(off_circle());
+  kept.report(off_circle_error());
   kept.report(Code::SC4001, {2, 1, 1}, "text", "line");
   REQUIRE(kept.all().size() == 2);
   CHECK(kept.all()[0].file == "part.nc");
@@ -155,7 +155,7 @@ TEST_CASE("diagnostics are kept or passed on, and counted", "[diagnostic]") {
 
   int seen = 0;
   Diagnostics passed([&](const Diagnostic&) { ++seen; });
-  passed.report(off_circle());
+  passed.report(off_circle_error());
   CHECK(seen == 1);
   CHECK(passed.all().empty());
   CHECK(passed.errors() == 1);

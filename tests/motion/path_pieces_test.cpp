@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/property.hpp"
 #include "support/random_nurbs.hpp"
 
@@ -29,10 +30,6 @@ double largest_gap(const Path& path) {
       largest = std::max(largest, (piece.position(s) - position(path, s)).norm());
     }
   return largest;
-}
-
-Path circle(double radius) {
-  return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}}).value();
 }
 
 /// A random curve within a box: its control points are drawn from few places, so that it often
@@ -77,7 +74,7 @@ double brute_force(const Path& path, const AxisVector& point, double from, doubl
 
 TEST_CASE("cubic pieces lie on their curve, one after the other", "[motion][pieces]") {
   test::Random random(27);
-  std::vector<Path> paths{Line({0, 0, 0}, {1000, 2, 3}), circle(50), circle(0.02),
+  std::vector<Path> paths{Line({0, 0, 0}, {1000, 2, 3}), test::circle(50), test::circle(0.02),
                           Path(test::curve("butterfly")), Path(test::curve("infinity8"))};
   for (int degree = 2; degree <= 9; ++degree)
     if (auto nurbs = Nurbs::make(test::random_nurbs(random, degree))) paths.emplace_back(*nurbs);
@@ -115,13 +112,13 @@ TEST_CASE("curves of 1 nm to 1 mm end, however sharp their last nanometres are",
 
 TEST_CASE("a line is one piece, a circle some dozen of them", "[motion][pieces]") {
   CHECK(pieces_of(Line({0, 0, 0}, {1e4, 0, 0})).size() == 1);
-  CHECK(pieces_of(circle(50)).size() < 200);
+  CHECK(pieces_of(test::circle(50)).size() < 200);
   CHECK(pieces_of(Path(test::curve("butterfly"))).size() < 2000);
 }
 
 TEST_CASE("the nearest point is that of geometry", "[motion][pieces]") {
   PathPieces pieces;
-  pieces.append(pieces_of(circle(50)));
+  pieces.append(pieces_of(test::circle(50)));
   const double turn = 100 * std::numbers::pi;
   const AxisVector inside(0, 49.5, 0.0);
   CHECK(pieces.nearest(inside, 0, turn).distance == Approx(0.5).margin(CubicPiece::kTolerance));
@@ -170,7 +167,7 @@ TEST_CASE("the nearest point is that of a search through all points of the windo
 }
 
 TEST_CASE("what is cut off is not found, and the rest stays as it is", "[motion][pieces]") {
-  const Path path = circle(50);
+  const Path path = test::circle(50);
   PathPieces pieces;
   pieces.append(pieces_of(path));
   pieces.cut(20);

@@ -28,7 +28,7 @@ double off_line(const GridPoint& p, const GridPoint& way) {
   return off;
 }
 
-Walk walk(const GridPoint& way, PulseMethod method) {
+Walk walk_line(const GridPoint& way, PulseMethod method) {
   return Walk::along(LinePulses(way, method), {},
                      [&](const GridPoint& p) { return off_line(p, way); });
 }
@@ -86,7 +86,7 @@ TEST_CASE("lines end exactly, and none strays by a BLU", "[motion][pulse][proper
             std::max({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
         const std::int64_t sum = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
         for (const PulseMethod method : test::kPulseMethods) {
-          const Walk seen = walk(way, method);
+          const Walk seen = walk_line(way, method);
           RC_ASSERT(seen.at == way);
           if (longest == 0) continue;
           if (method != PulseMethod::sam) RC_ASSERT(seen.max <= (is_nearest(method) ? 0.5 : 1.0));
@@ -134,7 +134,7 @@ TEST_CASE("the beginnings of the longest lines keep within half a BLU", "[motion
 TEST_CASE("a line of 2^31 BLU ends exactly", "[motion][pulse][.slow]") {
   const GridPoint way{1LL << 31, -1'234'567'891, 987'654'321};
   const auto method = GENERATE(PulseMethod::m_dsm, PulseMethod::dsm);
-  const Walk seen = walk(way, method);
+  const Walk seen = walk_line(way, method);
   CHECK(seen.at == way);
   CHECK(seen.moves == way[0]);
   CHECK(seen.max <= 0.5);
@@ -145,7 +145,8 @@ TEST_CASE("DDA takes one clock for each BLU of the line", "[motion][pulse]") {
        {GridPoint{3000, 4000, 0}, GridPoint{0, 5000, 0}, GridPoint{-2000, 1000, 2000}}) {
     const double length = std::hypot(static_cast<double>(way[0]), static_cast<double>(way[1]),
                                      static_cast<double>(way[2]));
-    CHECK(static_cast<double>(walk(way, PulseMethod::dda).places - 1) == Approx(length).margin(2));
+    CHECK(static_cast<double>(walk_line(way, PulseMethod::dda).places - 1) ==
+          Approx(length).margin(2));
   }
 }
 

@@ -23,7 +23,7 @@ Nurbs spline_of(const Points& points, SplineParameter parameter = SplineParamete
   return *std::move(nurbs);
 }
 
-std::string refusal(const Points& points) {
+std::string spline_refusal(const Points& points) {
   const auto spec = cubic_spline(points);
   if (spec) return "good";
   return std::to_string(static_cast<int>(spec.error().code)) + ": " + spec.error().message;
@@ -232,15 +232,16 @@ TEST_CASE("the most points a spline may have are one curve", "[motion][spline]")
 }
 
 TEST_CASE("fewer than two points are no spline", "[motion][spline][code]") {
-  CHECK(refusal({}) == "2350: a spline through 0 points; it needs at least two");
-  CHECK(refusal({{1, 2, 3}}) == "2350: a spline through 1 point; it needs at least two");
+  CHECK(spline_refusal({}) == "2350: a spline through 0 points; it needs at least two");
+  CHECK(spline_refusal({{1, 2, 3}}) == "2350: a spline through 1 point; it needs at least two");
 }
 
 TEST_CASE("two points in a row that are one are refused by number", "[motion][spline][code]") {
-  CHECK(refusal({{0, 0, 0}, {1, 0, 0}, {1, 0, 1e-10}, {2, 0, 0}}) ==
+  CHECK(spline_refusal({{0, 0, 0}, {1, 0, 0}, {1, 0, 1e-10}, {2, 0, 0}}) ==
         "2351: point 3 of the spline is the same as point 2");
-  CHECK(refusal({{0, 0, 0}, {0, 0, 0}}) == "2351: point 2 of the spline is the same as point 1");
-  CHECK(refusal({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}) == "good");
+  CHECK(spline_refusal({{0, 0, 0}, {0, 0, 0}}) ==
+        "2351: point 2 of the spline is the same as point 1");
+  CHECK(spline_refusal({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}) == "good");
 }
 
 TEST_CASE("numbers beyond working precision are refused when the curve is made",

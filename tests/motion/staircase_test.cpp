@@ -51,7 +51,7 @@ class Distance {
   double blu_, s_ = 0;
 };
 
-Walk walk(const Path& path, double blu, PulseMethod method) {
+Walk walk_path(const Path& path, double blu, PulseMethod method) {
   const Staircase staircase(path, AxisVector::Constant(blu), method);
   const Walk seen = Walk::along(staircase, staircase.from(), Distance(path, blu));
   CHECK(seen.at == staircase.to());
@@ -78,7 +78,7 @@ TEST_CASE("M_DSM keeps within 0.75 BLU of curves of radius 20 BLU", "[motion][pu
   const Path path = test::curve(name);
   const double blu = smallest_radius(path) / 20.5;
   CAPTURE(name, blu);
-  const Walk seen = walk(path, blu, PulseMethod::m_dsm);
+  const Walk seen = walk_path(path, blu, PulseMethod::m_dsm);
   CHECK(seen.max <= 0.75);
   CHECK(seen.mean == Approx(0.22).margin(0.03));
   CHECK(static_cast<double>(seen.moves) > length(path) / blu / std::sqrt(2));
@@ -88,7 +88,7 @@ TEST_CASE("every method follows a spline within its own bound", "[motion][pulse]
   const Path path = test::curve("infinity8");
   for (const PulseMethod method : test::kPulseMethods) {
     CAPTURE(name(method));
-    const Walk seen = walk(path, smallest_radius(path) / 50, method);
+    const Walk seen = walk_path(path, smallest_radius(path) / 50, method);
     const bool nearest = method == PulseMethod::dsm || method == PulseMethod::m_dsm;
     CHECK(seen.max < (nearest ? 0.75 : 1.45));
   }
@@ -124,8 +124,8 @@ TEST_CASE("a helix and a spiral are followed in all their axes", "[motion][pulse
   for (const PulseMethod method : test::kPulseMethods) {
     CAPTURE(name(method));
     const bool nearest = method == PulseMethod::dsm || method == PulseMethod::m_dsm;
-    CHECK(walk(helix.value(), 0.01, method).max < (nearest ? 0.87 : 1.75));
-    CHECK(walk(spiral.value(), 0.001, method).max < (nearest ? 0.75 : 1.45));
+    CHECK(walk_path(helix.value(), 0.01, method).max < (nearest ? 0.87 : 1.75));
+    CHECK(walk_path(spiral.value(), 0.001, method).max < (nearest ? 0.75 : 1.45));
   }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("arcs in all planes end in the counts of their ends", "[motion][pulse]
             Arc::make({point(r, angle), point(r, angle + sweep), point(0, 0), plane, sweep > 0})
                 .value();
         for (const PulseMethod method : test::kPulseMethods) {
-          const Walk seen = walk(path, 0.0025, method);
+          const Walk seen = walk_path(path, 0.0025, method);
           const bool nearest = method == PulseMethod::dsm || method == PulseMethod::m_dsm;
           RC_ASSERT(seen.max < (nearest ? 0.75 : 1.75));
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 
 using namespace softcnc;
 
@@ -40,17 +41,13 @@ Measured measure(const Path& path, int steps, double period = 1e-3) {
   return verifier.measured();
 }
 
-Arc circle(double radius) {
-  return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
-}
-
 }  // namespace
 
 TEST_CASE("accelerations along and across the path are measured where they are limited",
           "[verify]") {
   Machine machine = machine_at(0.01);
   machine.limits.normal = 1;
-  const Path path = circle(10);
+  const Path path = test::circle(10);
   const PathStretch stretch{&path, 0};
   Verifier verifier(machine);
   const std::vector<double> places{0, 0.1, 0.4, 0.6};  // 10, 30, 20 mm/s
@@ -112,7 +109,7 @@ TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
 TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
   for (const int steps : {40, 41, 400}) {
     const double half = std::numbers::pi / steps;
-    CHECK(measure(circle(10), steps).chord_error ==
+    CHECK(measure(test::circle(10), steps).chord_error ==
           Approx(10 * (1 - std::cos(half))).epsilon(1e-9));
   }
 }
@@ -139,9 +136,9 @@ TEST_CASE("the chord error of a sharp bend is found between the samples", "[veri
 }
 
 TEST_CASE("the chord error is known in the root of the mean square, too", "[verify]") {
-  const Measured even = measure(circle(10), 40);
+  const Measured even = measure(test::circle(10), 40);
   CHECK(even.chord_error_rms == Approx(even.chord_error).epsilon(1e-9));
-  const Path path = circle(10);
+  const Path path = test::circle(10);
   const PathStretch stretch{&path, 0};
   Verifier verifier(machine_at(1e-3));
   const std::vector<double> places{0, 1, 1, 3, 6};  // a period at rest counts in no mean
@@ -257,7 +254,7 @@ TEST_CASE("a period that ends where a rapid meets a cutting move counts", "[veri
 TEST_CASE("the chords of a circle are shorter than its arcs by their sine", "[verify]") {
   for (const int steps : {40, 400}) {
     const double half = std::numbers::pi / steps;
-    const Measured measured = measure(circle(10), steps);
+    const Measured measured = measure(test::circle(10), steps);
     CHECK(measured.feed_fluctuation < 1e-12);
     const double shorter = 1 - std::sin(half) / half;
     CHECK(measured.chord_fluctuation == Approx(shorter).epsilon(1e-6));

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "runtime/comparison/compared_figure.hpp"
 #include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/simulate.hpp"
+#include "support/files.hpp"
 
 using namespace softcnc;
 using namespace softcnc::runtime;
@@ -62,7 +61,7 @@ struct Rows final : RowSink {
     return true;
   }
 };
-std::vector<Setpoint> rows_of(const std::string& text, Machine machine, double delay) {
+std::vector<Setpoint> rows_of_program(const std::string& text, Machine machine, double delay) {
   machine.control.backend = BackendKind::none;
   const auto backend = hal::open_backend(machine);
   REQUIRE(backend);
@@ -130,7 +129,7 @@ TEST_CASE("a delayed cut begins later by exactly the delay", "[compare]") {
   Machine machine;
   const double a = machine.axes[1].acceleration, period = machine.control.period;
   const double approach = 2 * std::sqrt(4 / a);  // up and down again over 4 mm
-  const auto rows = rows_of("G90 G00 X4\nG01 Y10 F6000\nM30\n", machine, delay);
+  const auto rows = rows_of_program("G90 G00 X4\nG01 Y10 F6000\nM30\n", machine, delay);
   int seen = 0;
   for (const Setpoint& row : rows) {
     const double t = static_cast<double>(row.period) * period - approach - delay;
@@ -148,7 +147,7 @@ TEST_CASE("a cut is delayed even where the machine waits for a setpoint in the c
   machine.control.period = machine.control.servo_period = 0.008;
   machine.control.corner_tolerance = 0;
   const double a = machine.axes[1].acceleration, period = machine.control.period;
-  const auto rows = rows_of("G90 G00 X4\nG01 Y10 F6000\nM30\n", machine, part * period);
+  const auto rows = rows_of_program("G90 G00 X4\nG01 Y10 F6000\nM30\n", machine, part * period);
   const auto first = std::find_if(rows.begin(), rows.end(),
                                   [](const Setpoint& row) { return row.position[1] > 0; });
   REQUIRE(first != rows.end());
@@ -159,13 +158,12 @@ TEST_CASE("a cut is delayed even where the machine waits for a setpoint in the c
 
 TEST_CASE("methods of the literature begin a curve when the plan does", "[compare]") {
   const double part = GENERATE(0.0, 0.25, 0.875);
-  std::stringstream text;
-  text << std::ifstream(SOFTCNC_SOURCE_DIR "/programs/08_butterfly.nc").rdbuf();
+  const std::string text = test::program_text("08_butterfly.nc");
   Machine machine;
   const double delay = part * machine.control.period;
   const auto begin = [&](Method method) {
     machine.control.interpolation = method;
-    for (const Setpoint& row : rows_of(text.str(), machine, delay))
+    for (const Setpoint& row : rows_of_program(text, machine, delay))
       if (row.line > 13 && row.v > 0) return row;
     return Setpoint();
   };
@@ -193,7 +191,7 @@ TEST_CASE("phases shift the setpoints along the curve, whatever the method", "[c
   const double part = GENERATE(0.25, 0.5, 0.875);
   for (const Method method : {Method::curvature3p, Method::yeh_hsu_2002, Method::chords}) {
     machine.control.interpolation = method;
-    const auto rows = rows_of(circle, machine, part * machine.control.period);
+    const auto rows = rows_of_program(circle, machine, part * machine.control.period);
     const auto first = std::find_if(rows.begin(), rows.end(),
                                     [](const Setpoint& row) { return row.position[1] > 0; });
     REQUIRE(first != rows.end());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <random>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "runtime/session/session.hpp"
+#include "support/files.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"
 
@@ -22,14 +22,7 @@ namespace {
 
 constexpr double kBlu = 0.0025;
 
-std::string part(const std::string& name) {
-  std::stringstream text;
-  text << std::ifstream(SOFTCNC_SOURCE_DIR "/programs/" + name).rdbuf();
-  REQUIRE(text.str().size() > 0);
-  return text.str();
-}
-
-Machine mill(double tolerance, double jerk = 0) {
+Machine tolerant_mill(double tolerance, double jerk = 0) {
   Machine machine;
   machine.control.contour_tolerance = tolerance;
   for (Axis& axis : machine.axes) axis.jerk = jerk;
@@ -63,7 +56,7 @@ Motion finish(Session& session, std::span<const std::string> columns) {
   return motion;
 }
 
-Motion run(const std::string& text, const Machine& machine) {
+Motion run_motion(const std::string& text, const Machine& machine) {
   const auto backend = hal::open_backend(machine);
   Session session(machine, {}, **backend);
   REQUIRE(session.feed(text));
@@ -91,23 +84,24 @@ std::string bends() {
   return text.str();
 }
 
-constexpr const char* kCircle =
+constexpr const char* kExactCircle =
     "G21 G17 G90 G61 G1 X50 F15000\nG3 X50 I-50\nG3 X50 I-50\nG1 X0\nM30\n";
-constexpr const char* kSquare = "G21 G17 G90 G61 F6000\nG1 X20\nY20\nX0\nY0\nM30\n";
+constexpr const char* kExactSquare = "G21 G17 G90 G61 F6000\nG1 X20\nY20\nX0\nY0\nM30\n";
 
 }  // namespace
 
 TEST_CASE("the table keeps the contour tolerance within one BLU", "[runtime][contour]") {
-  const std::map<std::string, std::string> programs{{"butterfly", part("08_butterfly.nc")},
-                                                    {"circle", kCircle},
-                                                    {"square", kSquare},
-                                                    {"arcs", part("03_arc.nc")},
-                                                    {"rounded", part("19_rounded_corners.nc")},
-                                                    {"bends", bends()}};
+  const std::map<std::string, std::string> programs{
+      {"butterfly", test::program_text("08_butterfly.nc")},
+      {"circle", kExactCircle},
+      {"square", kExactSquare},
+      {"arcs", test::program_text("03_arc.nc")},
+      {"rounded", test::program_text("19_rounded_corners.nc")},
+      {"bends", bends()}};
   for (const auto& [name, text] : programs)
     for (const double jerk : {0.0, 50'000.0}) {
       if (test::kSanitized && name != "arcs" && name != "square") continue;
-      const Motion motion = run(text, mill(0.01, jerk));
+      const Motion motion = run_motion(text, tolerant_mill(0.01, jerk));
       CAPTURE(name, jerk, motion.contour);
       CHECK(motion.contour <= 0.01 + kBlu);
       CHECK(motion.measured.acceleration.maxCoeff() <= 1000 * 1.001);
@@ -115,14 +109,14 @@ TEST_CASE("the table keeps the contour tolerance within one BLU", "[runtime][con
           motion.rows, [](const Setpoint& row) { return row.limit == Limit::contour; });
       CHECK(limits == (name != "square"));  // lines and rests only
     }
-  CHECK(run(part("08_butterfly.nc"), mill(0)).contour > 0.5);
+  CHECK(run_motion(test::program_text("08_butterfly.nc"), tolerant_mill(0)).contour > 0.5);
 }
 
 TEST_CASE("a circle within the contour tolerance is as fast as the closed form",
           "[runtime][contour]") {
   for (const double tolerance : {0.005, 0.01, 0.04}) {
     double steady = 0;
-    for (const Setpoint& row : run(kCircle, mill(tolerance)).rows)
+    for (const Setpoint& row : run_motion(kExactCircle, tolerant_mill(tolerance)).rows)
       if (row.limit == Limit::contour && row.line == 3) steady = std::max(steady, row.v);
     // v = Kv sqrt(2 R e)
     CAPTURE(tolerance);
@@ -134,7 +128,7 @@ TEST_CASE("at exact corners the plan rests until the lag is within the tolerance
           "[runtime][contour]") {
   for (const double tolerance : {0.005, 0.01, 0.1})
     for (const double jerk : {0.0, 50'000.0}) {
-      const Motion motion = run(kSquare, mill(tolerance, jerk));
+      const Motion motion = run_motion(kExactSquare, tolerant_mill(tolerance, jerk));
       int corners = 0;
       for (std::size_t i = 1; i < motion.rows.size(); ++i) {
         if (!(motion.rows[i - 1].v == 0 && motion.rows[i].v > 0 && motion.rows[i].s > 1)) continue;
@@ -150,9 +144,10 @@ TEST_CASE("a table that waits at acute corners is measured on the way to them",
           "[runtime][contour]") {
   const char* acute =
       "G21 G17 G90 G61 F3000\nG1 X1.2203 Y0.2508\nX0.9365 Y-0.2027\nX0.4182 Y1.4889\nM30\n";
-  CHECK(run(acute, mill(0.02)).contour < 0.006);
+  CHECK(run_motion(acute, tolerant_mill(0.02)).contour < 0.006);
   // A circle begins where a line has come along its tangent, and leads back.
-  CHECK(run("G21 G17 G90 G61 F3000\nG1 X0 Y-30\nG3 I-15\nM30\n", mill(0.01)).contour <= 0.0125);
+  CHECK(run_motion("G21 G17 G90 G61 F3000\nG1 X0 Y-30\nG3 I-15\nM30\n", tolerant_mill(0.01))
+            .contour <= 0.0125);
 }
 
 TEST_CASE("small corners between short moves need no long rests", "[runtime][contour]") {
@@ -164,7 +159,8 @@ TEST_CASE("small corners between short moves need no long rests", "[runtime][con
     chords << "G1 X" << x << " Y" << y << "\n";
   }
   chords << "M30\n";
-  const Motion kept = run(chords.str(), mill(0.01)), free = run(chords.str(), mill(0));
+  const Motion kept = run_motion(chords.str(), tolerant_mill(0.01)),
+               free = run_motion(chords.str(), tolerant_mill(0));
   CHECK(kept.contour <= 0.0125);
   CHECK(2 * kept.rows.size() < 5 * free.rows.size());
   CHECK(kept.rows.size() > free.rows.size());
@@ -176,7 +172,7 @@ TEST_CASE("random programs keep the contour tolerance where friction allows it",
   for (unsigned seed = 1; seed <= 24 / test::kPart; ++seed) {
     std::mt19937 random(seed);
     const double tolerance = seed % 2 == 0 ? 0.01 : 0.04;
-    const Machine machine = mill(tolerance, seed % 3 == 0 ? 30'000 : 0);
+    const Machine machine = tolerant_mill(tolerance, seed % 3 == 0 ? 30'000 : 0);
     const auto backend = hal::open_backend(machine);
     Session session(machine, {}, **backend);
     for (Block& block : test::random_program(random, 5)) session.feed(std::move(block));
@@ -191,7 +187,7 @@ TEST_CASE("random programs keep the contour tolerance where friction allows it",
 TEST_CASE("holds and overrides under a contour tolerance keep every limit", "[runtime][contour]") {
   for (unsigned seed = 1; seed <= (test::kSanitized ? 1 : 24); ++seed) {
     std::mt19937 random(seed);
-    const Machine machine = mill(0.02, seed % 3 == 0 ? 30'000 : 0);
+    const Machine machine = tolerant_mill(0.02, seed % 3 == 0 ? 30'000 : 0);
     const auto backend = hal::open_backend(machine);
     Session session(machine, {}, **backend);
     for (Block& block : test::random_program(random, 5)) session.feed(std::move(block));

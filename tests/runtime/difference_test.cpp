@@ -11,17 +11,18 @@
 #include <vector>
 
 #include "runtime/difference/polyline_search.hpp"
+#include "support/period.hpp"
 #include "support/property.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kPeriod = 0.001;  // s
+using test::kPeriod;
 
 /// The same properties are tried each time, whoever starts the tests.
 [[maybe_unused]] const bool kSeeded = ::setenv("RC_PARAMS", "seed=20261126", 0) == 0;
 
-RunRow row_at(const AxisVector& position, std::int64_t period) {
+RunRow feed_row(const AxisVector& position, std::int64_t period) {
   RunRow row;
   row.period = period;
   row.position = position;
@@ -41,12 +42,12 @@ RowStore store(const std::vector<RunRow>& rows, double period = kPeriod) {
 RowStore path(const std::vector<AxisVector>& points) {
   RowStore kept;
   for (std::size_t i = 0; i < points.size(); ++i)
-    kept.take(row_at(points[i], static_cast<std::int64_t>(i)));
+    kept.take(feed_row(points[i], static_cast<std::int64_t>(i)));
   REQUIRE(kept.finish(kPeriod));
   return kept;
 }
 
-std::vector<AxisVector> circle(double radius, int count) {
+std::vector<AxisVector> circle_points(double radius, int count) {
   std::vector<AxisVector> points;
   for (int i = 0; i <= count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
@@ -90,7 +91,7 @@ TEST_CASE("circles of radii r and r + d are d apart", "[runtime][difference]") {
   for (const double d : {1e-3, 0.02, 0.5}) {
     for (const int count : {500, 1234, 20'000}) {
       CAPTURE(d, count);
-      const double exact = distance_of(circle(20, 3000), circle(20 + d, count));
+      const double exact = distance_of(circle_points(20, 3000), circle_points(20 + d, count));
       CHECK(exact >= d - 1e-12);
       CHECK(exact <= d + sagitta(20 + d, std::min(count, 3000)) + 1e-12);
     }
@@ -98,7 +99,7 @@ TEST_CASE("circles of radii r and r + d are d apart", "[runtime][difference]") {
 }
 
 TEST_CASE("a path is not apart from itself, however it is divided", "[runtime][difference]") {
-  CHECK(distance_of(circle(20, 777), circle(20, 777)) == 0);
+  CHECK(distance_of(circle_points(20, 777), circle_points(20, 777)) == 0);
   std::vector<AxisVector> coarse{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, fine;
   for (int i = 0; i <= 1000; ++i) fine.emplace_back(i / 100.0, 0, 0);
   for (int i = 1; i <= 777; ++i) fine.emplace_back(10, 10 * i / 777.0, 0);
@@ -198,7 +199,7 @@ namespace {
 std::vector<RunRow> some_run() {
   std::vector<RunRow> rows;
   for (int i = 0; i < 100; ++i) {
-    RunRow row = row_at({i * 0.1, 0, 0}, i);
+    RunRow row = feed_row({i * 0.1, 0, 0}, i);
     row.line = i / 10;
     row.v = i;
     row.s = i * 0.1;
@@ -286,7 +287,7 @@ TEST_CASE("times by line and by limit sum up to the total, and so do their diffe
       std::int64_t at = 0;
       for (int i = 0; i < count; ++i) {
         at += *rc::gen::inRange(1, 4);
-        rows.push_back(row_at({i * 0.1, 0, 0}, at));
+        rows.push_back(feed_row({i * 0.1, 0, 0}, at));
         rows.back().line = *rc::gen::inRange(0, 20);
         rows.back().limit = static_cast<Limit>(*rc::gen::inRange(0, kLimits));
       }
@@ -314,7 +315,7 @@ TEST_CASE("rows beyond memory are kept", "[runtime][difference]") {
   RowStore kept;
   constexpr std::int64_t kMany = 400'000;  // 29 MB
   for (std::int64_t i = 0; i < kMany; ++i)
-    kept.take(row_at({static_cast<double>(i) * 1e-3, 0, 0}, i));
+    kept.take(feed_row({static_cast<double>(i) * 1e-3, 0, 0}, i));
   REQUIRE(kept.finish(kPeriod));
   REQUIRE(kept.rows().size() == kMany);
   CHECK(kept.rows().back().s == Approx(static_cast<double>(kMany - 1) * 1e-3));

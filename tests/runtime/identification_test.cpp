@@ -10,14 +10,17 @@
 #include "motion/model/servo_figures.hpp"
 #include "runtime/identification/axis_fit.hpp"
 #include "runtime/identification/axis_replay.hpp"
+#include "support/period.hpp"
 #include "support/sanitized.hpp"
 #include "support/small_step_servo.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kPeriod = 1e-3, kLoop = 0.25e-3;  // s
-constexpr std::size_t kLoops = 4;                  // in a period
+using test::kPeriod;
+
+constexpr double kLoop = 0.25e-3;  // s
+constexpr std::size_t kLoops = 4;  // in a period
 
 /// Straight moves of one axis from rest to rest, each with its acceleration and without jerk limit.
 class Moves {
@@ -63,7 +66,7 @@ std::vector<double> excitation(double period) {
   return moves.to(0, 100).dwell(0.3).positions();
 }
 
-std::vector<double> rows_of(const std::vector<double>& loops) {
+std::vector<double> rows_of_loops(const std::vector<double>& loops) {
   std::vector<double> rows;
   for (std::size_t i = 0; i < loops.size(); i += kLoops) rows.push_back(loops[i]);
   return rows;
@@ -72,8 +75,8 @@ std::vector<double> rows_of(const std::vector<double>& loops) {
 /// The record of an axis by the other simulation, `late` rows late.
 AxisRecord record_of(const Axis& axis, double backlash, int late) {
   std::vector<double> sent = excitation(kLoop);
-  const std::vector<double> commanded = rows_of(sent);
-  std::vector<double> actual = rows_of(test::small_step_table(axis, backlash, kLoop, sent));
+  const std::vector<double> commanded = rows_of_loops(sent);
+  std::vector<double> actual = rows_of_loops(test::small_step_table(axis, backlash, kLoop, sent));
   actual.insert(actual.begin(), static_cast<std::size_t>(late), actual.front());
   actual.resize(commanded.size());
   return {commanded, actual};

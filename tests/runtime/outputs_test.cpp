@@ -24,7 +24,7 @@ struct Ran {
   std::vector<Diagnostic> diagnostics;
 };
 
-Ran run(const std::string& text, const Machine& machine) {
+Ran run_outputs(const std::string& text, const Machine& machine) {
   Diagnostics diagnostics;
   ipr::Reader reader = ipr::Reader::from_text(text);
   const auto backend = hal::open_backend(machine);
@@ -53,8 +53,8 @@ TEST_CASE("outputs are set when the motion before them has ended", "[runtime][ou
   // A rapid of 10 mm at 1000 mm/s^2 from rest to rest takes 2 sqrt(10/1000) s.
   const double rapid = 2 * std::sqrt(10.0 / 1000);
   const Ran ran =
-      run("G0 X10\nM64 P2\nM66 P0 L3 Q5\nM68 E0 Q-1.5\nM62 P2 X[20+#5399]\nM63 P2\nM2\n",
-          machine_with_outputs());
+      run_outputs("G0 X10\nM64 P2\nM66 P0 L3 Q5\nM68 E0 Q-1.5\nM62 P2 X[20+#5399]\nM63 P2\nM2\n",
+                  machine_with_outputs());
   CHECK(ran.diagnostics.empty());
   const auto& outputs = ran.outcome.time_sheet.outputs;
   REQUIRE(outputs.size() == 3);
@@ -74,8 +74,8 @@ TEST_CASE("outputs are set when the motion before them has ended", "[runtime][ou
 
 TEST_CASE("an output within a path stops it there", "[runtime][outputs]") {
   const Machine machine = machine_with_outputs();
-  const Ran without = run("F600 G1 X10\nX20\nM2\n", machine);
-  const Ran with = run("F600 G1 X10\nM62 P2 X20\nM2\n", machine);
+  const Ran without = run_outputs("F600 G1 X10\nX20\nM2\n", machine);
+  const Ran with = run_outputs("F600 G1 X10\nM62 P2 X20\nM2\n", machine);
   // A stop from 10 mm/s at 1000 mm/s^2 and the start after it take 10 ms each for 5 ms of path.
   CHECK_THAT(with.outcome.time - without.outcome.time, WithinAbs(0.01, 1e-6));
   CHECK(with.outcome.time_sheet.rests_by(RestCause::output) == 1);
@@ -85,7 +85,7 @@ TEST_CASE("an output within a path stops it there", "[runtime][outputs]") {
 
 TEST_CASE("of very many outputs the first are kept, and the others counted", "[runtime][outputs]") {
   const Ran ran =
-      run("o1 repeat [5003]\nM64 P2\nM65 P2\no1 endrepeat\nM2\n", machine_with_outputs());
+      run_outputs("o1 repeat [5003]\nM64 P2\nM65 P2\no1 endrepeat\nM2\n", machine_with_outputs());
   CHECK(ran.outcome.time_sheet.outputs.size() == kMostOutputEvents);
   CHECK(ran.outcome.time_sheet.outputs_left_out == 6);
 }
@@ -119,7 +119,7 @@ TEST_CASE("the example of M codes runs on its machine", "[runtime][outputs]") {
   REQUIRE(machine);
   std::stringstream text;
   text << std::ifstream(name + ".nc").rdbuf();
-  const Ran ran = run(text.str(), *machine);
+  const Ran ran = run_outputs(text.str(), *machine);
   for (const Diagnostic& diagnostic : ran.diagnostics) CHECK(render(diagnostic).empty());
   REQUIRE(ran.outcome.time_sheet.outputs.size() == 7);
   CHECK(ran.outcome.time_sheet.outputs[0].source.line == 7);

@@ -11,6 +11,7 @@
 #include "runtime/history/row_times.hpp"
 #include "runtime/history/run_rows.hpp"
 #include "runtime/session/simulate.hpp"
+#include "support/period.hpp"
 #include "support/property.hpp"
 
 using namespace softcnc;
@@ -20,9 +21,9 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr double kPeriod = 0.001;  // s
+using test::kPeriod;
 
-RunRow row_at(std::int64_t period, const AxisVector& position, double v) {
+RunRow cutting_row(std::int64_t period, const AxisVector& position, double v) {
   RunRow row;
   row.period = period;
   row.line = 1;
@@ -35,11 +36,11 @@ RunRow row_at(std::int64_t period, const AxisVector& position, double v) {
 }
 
 /// A circle of this radius, mm, at a constant speed, mm/s.
-std::vector<RunRow> circle(double radius, double speed, int rows) {
+std::vector<RunRow> circle_rows(double radius, double speed, int rows) {
   std::vector<RunRow> made;
   for (int i = 0; i < rows; ++i) {
     const double angle = speed * kPeriod * i / radius;
-    made.push_back(row_at(i, {radius * std::cos(angle), radius * std::sin(angle), 0}, speed));
+    made.push_back(cutting_row(i, {radius * std::cos(angle), radius * std::sin(angle), 0}, speed));
     made.back().s = speed * kPeriod * i;
   }
   return made;
@@ -57,7 +58,7 @@ std::vector<RunRow> random_walk(int rows) {
     position += v * kPeriod * AxisVector(std::cos(heading), std::sin(heading), 0.1);
     s += v * kPeriod;
     if (test::integer(0, 9) == 0) ++line;
-    RunRow row = row_at(i, position, v);
+    RunRow row = cutting_row(i, position, v);
     row.s = s;
     row.line = line;
     row.limit = test::integer(0, 20) == 0 ? Limit::jerk : Limit::acceleration;
@@ -130,7 +131,7 @@ TEST_CASE("the largest values of a run survive, however few nodes are kept", "[r
 
 TEST_CASE("uniform motion along a line needs its two ends", "[runtime][history]") {
   std::vector<RunRow> rows;
-  for (int i = 0; i <= 10'000; ++i) rows.push_back(row_at(i, {0.02 * i, -0.01 * i, 0}, 20));
+  for (int i = 0; i <= 10'000; ++i) rows.push_back(cutting_row(i, {0.02 * i, -0.01 * i, 0}, 20));
   RunHistory history(kPeriod, nullptr);
   fill(history, rows);
   CHECK(history.nodes().size() == 2);
@@ -141,7 +142,7 @@ TEST_CASE("a change of the limit, the feed, the motion or the tool begins a node
           "[runtime][history]") {
   std::vector<RunRow> rows;
   for (int i = 0; i < 500; ++i) {
-    RunRow row = row_at(i, {0.01 * i, 0, 0}, 10);
+    RunRow row = cutting_row(i, {0.01 * i, 0, 0}, 10);
     if (i > 100) row.limit = Limit::chord;
     if (i > 200) row.feed = 12;
     if (i > 300) row.motion = MotionKind::rapid;
@@ -162,7 +163,7 @@ TEST_CASE("a value that falls while the motion stays uniform is not shown as its
           "[runtime][history]") {
   RunHistory history(kPeriod, nullptr);
   for (int i = 0; i <= 1000; ++i) {
-    RunRow row = row_at(i, {0.02 * i, 0, 0}, 20);
+    RunRow row = cutting_row(i, {0.02 * i, 0, 0}, 20);
     row.contour = 100 * std::exp(-0.01F * static_cast<float>(i));
     history.take(row);
   }
@@ -182,7 +183,7 @@ TEST_CASE("a circle uses v^2/r of the acceleration of its axes", "[runtime][hist
   }
   const double radius = 10, speed = 40;
   RunHistory history(kPeriod, &machine);
-  fill(history, circle(radius, speed, 2000));
+  fill(history, circle_rows(radius, speed, 2000));
   float acceleration = 0, jerk = 0;
   const auto& nodes = history.nodes();  // the first ones see the start from rest
   for (std::size_t i = 3; i < nodes.size(); ++i) {
@@ -197,7 +198,7 @@ TEST_CASE("spans say to which line each row belongs", "[runtime][history]") {
   const int lines[] = {4, 4, 5, 7, 7, 5, 5};
   RunHistory history(kPeriod, nullptr);
   for (int i = 0; i < 7; ++i) {
-    RunRow row = row_at(i, {0.1 * i, 0, 0}, 100);
+    RunRow row = cutting_row(i, {0.1 * i, 0, 0}, 100);
     row.line = lines[i];
     history.take(row);
   }

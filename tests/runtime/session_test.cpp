@@ -5,25 +5,18 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "runtime/session/simulate.hpp"
+#include "support/files.hpp"
 
 using namespace softcnc;
 using namespace softcnc::runtime;
 using Catch::Matchers::WithinAbs;
 
 namespace {
-
-std::string part(const std::string& name) {
-  std::stringstream text;
-  text << std::ifstream(SOFTCNC_SOURCE_DIR "/programs/" + name).rdbuf();
-  REQUIRE(text.str().size() > 0);
-  return text.str();
-}
 
 Machine machine_without_backend() {
   Machine machine;
@@ -98,7 +91,7 @@ TEST_CASE("a program that is fed moves as it does from a file, in every row",
           "[runtime][session]") {
   for (const char* name : {"01_line.nc", "03_arc.nc", "08_butterfly.nc"}) {
     INFO(name);
-    const std::string text = part(name);
+    const std::string text = test::program_text(name);
     for (const BackendKind kind : {BackendKind::none, BackendKind::sim}) {
       Machine machine;
       machine.control.backend = kind;
@@ -153,7 +146,7 @@ TEST_CASE("a line waits for the next one until the session is asked to rest",
 }
 
 TEST_CASE("rests between the lines of a program keep every limit", "[runtime][session]") {
-  const std::string text = part("08_butterfly.nc");
+  const std::string text = test::program_text("08_butterfly.nc");
   for (const double jerk : {0.0, 50'000.0}) {
     INFO("jerk " << jerk);
     Shop shop([jerk](Machine& machine) {

@@ -24,6 +24,12 @@ inline std::uint64_t seed() {
   return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 20261121;
 }
 
+/// How many random programs are tried: as many as SOFTCNC_PROGRAMS says, or `usual`.
+inline int programs_asked(int usual) {
+  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
+  return asked != nullptr ? std::atoi(asked) : usual;
+}
+
 /// Holds for `times` random values. `testable` draws them with real(), integer() or rc::gen, and
 /// states what must hold with RC_ASSERT.
 template <typename Testable>

@@ -57,6 +57,11 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
   return number_blocks(std::move(moves));
 }
 
+/// A move along a whole path, from rest to rest, at one feed (mm/s).
+inline std::vector<Block> one_move(Path path, double feed) {
+  return number_blocks({Move{std::move(path), false, feed, PathMode::follow}});
+}
+
 /// What is requested of the feed, by the number of samples after which it is.
 using Controls = std::map<int, ipo::FeedControl>;
 

@@ -4,16 +4,14 @@
 
 #include <array>
 #include <catch2/catch.hpp>
-#include <numbers>
 
+#include "motion/core/units.hpp"
 #include "surface/pass_index.hpp"
 
 using namespace softcnc;
 using namespace softcnc::surface;
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 ToolRow row(double t, double x, bool cutting = true) {
   const AxisVector at(x, 0, 0);

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kCircleSchema = 1;
 
 Json point_json(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
 
@@ -59,7 +59,7 @@ std::string circle_json(const CircleTest& test) {
                        {"passes", std::move(passes)},
                        {"both_directions", both_json(circle.both)}});
   }
-  const Json json{{"schema", kSchema},
+  const Json json{{"schema", kCircleSchema},
                   {"file", as_utf8(test.file)},
                   {"plane", runtime::kCirclePlaneNames[static_cast<std::size_t>(test.plane)]},
                   {"circles", std::move(circles)}};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "circle/circle_test.hpp"
 #include "motion/core/units.hpp"
@@ -15,11 +14,10 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kMargin = 16, kHeading = 46;  // px
-constexpr double kRing = 0.7;                  // of the space around the centre: the nominal circle
-constexpr double kHighest = 0.25;              // of it, at most: a deviation
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kBins = 1440;  // of a turn: a line of more points would not show more
+constexpr double kCircleMargin = 16, kHeading = 46;  // px
+constexpr double kRing = 0.7;               // of the space around the centre: the nominal circle
+constexpr double kHighestDeviation = 0.25;  // of it, at most: a deviation
+constexpr int kBins = 1440;                 // of a turn: a line of more points would not show more
 
 /// A polar plot: the nominal circle, and deviations from it on a larger scale.
 struct Polar {
@@ -109,17 +107,18 @@ Result<std::string> circle_picture(const CircleTest& test, const PictureOptions&
   const MeasuredCircle& circle = test.circles.front();
   const double width = options.size.width, wanted = options.size.height;
   Canvas canvas(width, wanted > 0 ? wanted : width, format);
-  const double space = std::min(width, canvas.height() - kHeading) / 2 - kMargin - kTickLook.size;
+  const double space =
+      std::min(width, canvas.height() - kHeading) / 2 - kCircleMargin - kTickLook.size;
   const double largest = std::max(largest_deviation(circle), 1e-6);
   const double step = round_below(largest);
   const Polar polar{{width / 2, kHeading + (canvas.height() - kHeading) / 2},
                     kRing * space,
-                    kHighest * space / largest};
+                    kHighestDeviation * space / largest};
   const double nominal = circle.passes.front().pass.radius;
-  draw_heading(canvas, {kMargin, kMargin},
+  draw_heading(canvas, {kCircleMargin, kCircleMargin},
                fmt::format("Circle R {:.6g} mm, deviation x {:.0f}: {:.3g} um a ring", nominal,
                            nominal / polar.ring * polar.per_mm, um_from_mm(step)),
-               legend_of(circle), width - 2 * kMargin);
+               legend_of(circle), width - 2 * kCircleMargin);
   draw_grid(canvas, polar, step, test.plane);
   for (std::size_t i = 0; i < circle.passes.size(); ++i)
     canvas.line(thinned(polar, circle.passes[i].figures.profile),

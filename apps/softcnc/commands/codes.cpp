@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "commands/command_line.hpp"
 #include "commands/commands.hpp"
 #include "ipr/codes/gcode.hpp"
 #include "messages/messages.hpp"
@@ -13,8 +14,6 @@
 
 namespace softcnc::app {
 namespace {
-
-constexpr int kWrongUsage = 2;
 
 std::string upper(std::string_view text) {
   std::string word(text);

@@ -23,8 +23,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kWrongUsage = 2;
-
 /// Returns whether the last event leaves the machine at rest.
 bool ends_in_hold(const Options& options) {
   ipo::FeedControl control;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `softcnc compare`: interpolation methods beside one another, on programs and machines.
+// `softcnc compare`: interpolation methods side by side, on programs and machines.
 #include <spdlog/spdlog.h>
 
 #include <deque>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `softcnc diff`: two runs beside one another, whatever files they come from.
+// `softcnc diff`: two runs side by side, whatever files they come from.
 #include <spdlog/spdlog.h>
 
 #include "commands/commands.hpp"
@@ -10,12 +10,12 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kDiffers = 1;                           // exit status
-constexpr std::size_t kLines = 10, kJsonLines = 200;  // of a program, where none are asked for
+constexpr int kDiffers = 1;                                // exit status
+constexpr std::size_t kShownLines = 10, kJsonLines = 200;  // of a program, where none are asked for
 
 std::size_t lines_asked(const Options& options) {
   if (options.worst > 0) return static_cast<std::size_t>(options.worst);
-  return options.table == TableFormat::json ? kJsonLines : kLines;
+  return options.table == TableFormat::json ? kJsonLines : kShownLines;
 }
 
 /// Nothing is shown of runs that agree, except where a tolerance was asked for and they differ

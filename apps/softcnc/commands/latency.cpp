@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kNsPerUs = 1e3, kNsPerSecond = 1e9;
-constexpr std::int64_t kLook = 100'000'000;   // ns between two looks for Ctrl-C
+constexpr std::int64_t kInterruptInterval = 100'000'000;  // ns between two looks for Ctrl-C
 constexpr std::int64_t kGrace = 500'000'000;  // ns to catch up, beyond the time asked for
 constexpr double kPeriodsPerStep = 2;         // one high, one low
 
@@ -49,7 +49,7 @@ runtime::Lateness measure(double seconds, std::int64_t period, StopSignals& sign
   for (std::int64_t i = 0; i < wakeups && now < end; ++i) {
     if (now >= look) {
       if (signals.poll() != 0) break;
-      look = now + kLook;
+      look = now + kInterruptInterval;
     }
     runtime::sleep_until(begin + i * period);
     now = runtime::now_ns();

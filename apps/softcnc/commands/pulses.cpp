@@ -24,10 +24,11 @@ using hal::PulseRule, hal::PulseRules;
 using Json = nlohmann::ordered_json;
 
 /// The columns of times, in the order in which they stand.
-constexpr PulseRule kTimes[] = {PulseRule::interval, PulseRule::length, PulseRule::space,
-                                PulseRule::setup, PulseRule::hold};
+constexpr PulseRule kTimingRules[] = {PulseRule::interval, PulseRule::length, PulseRule::space,
+                                      PulseRule::setup, PulseRule::hold};
 constexpr const char* kTimeKeys[] = {"interval_ns", "length_ns", "space_ns", "setup_ns", "hold_ns"};
-static_assert(std::size(kTimes) == hal::kTimedRules && std::size(kTimeKeys) == hal::kTimedRules);
+static_assert(std::size(kTimingRules) == hal::kTimedRules &&
+              std::size(kTimeKeys) == hal::kTimedRules);
 
 class SignalEdgeList {
  public:
@@ -100,7 +101,7 @@ std::string SignalEdgeList::row(int axis) const {
   const PulseRules::Figures& own = rules_.figures(axis);
   std::string text = fmt::format("  {:<6}{:>12}{:>12}", hal::axis_name(axis), own.steps,
                                  rules_.counts()[static_cast<std::size_t>(axis)]);
-  for (const PulseRule rule : kTimes) {
+  for (const PulseRule rule : kTimingRules) {
     const auto& shortest = own.shortest[static_cast<std::size_t>(rule)];
     text += fmt::format("{:>11}", shortest ? std::to_string(*shortest) : "-");
   }
@@ -118,7 +119,8 @@ std::string SignalEdgeList::table() const {
   for (int axis = 0; axis < kAxes; ++axis)
     if (moves(axis)) text += row(axis);
   text += fmt::format("  {:<30}", "required");
-  for (const PulseRule rule : kTimes) text += fmt::format("{:>11}", hal::least(rule, timing_));
+  for (const PulseRule rule : kTimingRules)
+    text += fmt::format("{:>11}", hal::least(rule, timing_));
   return text + '\n';
 }
 
@@ -128,16 +130,16 @@ std::string SignalEdgeList::report_json() const {
               {"steps", rules_.steps()},
               {"time_s", s_from_ns(static_cast<double>(rules_.time()))},
               {"broken", broken_}};
-  for (std::size_t i = 0; i < std::size(kTimes); ++i)
-    report["asked"][kTimeKeys[i]] = hal::least(kTimes[i], timing_);
+  for (std::size_t i = 0; i < std::size(kTimingRules); ++i)
+    report["asked"][kTimeKeys[i]] = hal::least(kTimingRules[i], timing_);
   for (int axis = 0; axis < kAxes; ++axis) {
     const PulseRules::Figures& own = rules_.figures(axis);
     Json& figures = report["axes"][hal::axis_name(axis)];
     figures = {{"steps", own.steps},
                {"counts", rules_.counts()[static_cast<std::size_t>(axis)]},
                {"broken", own.broken}};
-    for (std::size_t i = 0; i < std::size(kTimes); ++i) {
-      const auto& shortest = own.shortest[static_cast<std::size_t>(kTimes[i])];
+    for (std::size_t i = 0; i < std::size(kTimingRules); ++i) {
+      const auto& shortest = own.shortest[static_cast<std::size_t>(kTimingRules[i])];
       figures[kTimeKeys[i]] = shortest ? Json(*shortest) : Json();
     }
   }

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using runtime::Aspect, runtime::TimePair;
 
-constexpr int kSchema = 1;
+constexpr int kDifferenceSchema = 1;
 
 Json run_json(const ComparedRun& run) {
   return {{"file", as_utf8(run.name)},      {"kind", name(run.kind)},
@@ -85,7 +85,7 @@ Json first_json(const ComparedPair& pair) {
 
 std::string difference_json(const ComparedPair& pair, std::size_t lines) {
   const runtime::RunDifference& difference = pair.difference;
-  Json json{{"schema", kSchema},
+  Json json{{"schema", kDifferenceSchema},
             {"softcnc", SOFTCNC_VERSION},
             {"same", difference.same()},
             {"a", run_json(pair.a)},

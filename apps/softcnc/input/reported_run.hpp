@@ -17,6 +17,9 @@
 
 namespace softcnc::app {
 
+/// Of a run, that pictures and pages show.
+inline constexpr std::size_t kWorstLines = 10;
+
 /// Where a run comes from: its program is run, or its rows have been written down.
 enum class InputKind : std::uint8_t { program, trace, recording };
 

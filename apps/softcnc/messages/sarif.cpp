@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema =
+constexpr const char* kSarifSchema =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
 Json text(std::string_view says) { return {{"text", says}}; }
@@ -107,7 +107,7 @@ class SarifDocument final : public DiagnosticDocument {
   void begin() {
     if (std::exchange(begun_, true)) return;
     const Json driver{{"name", "softcnc"}, {"version", SOFTCNC_VERSION}, {"rules", rules()}};
-    write_("{\"$schema\":" + Json(kSchema).dump() + ",\"version\":\"2.1.0\",\"runs\":[{\n" +
+    write_("{\"$schema\":" + Json(kSarifSchema).dump() + ",\"version\":\"2.1.0\",\"runs\":[{\n" +
            "\"tool\":{\"driver\":" + driver.dump() + "},\n" +
            "\"columnKind\":\"unicodeCodePoints\",\n\"results\":[");
   }

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kComparisonSchema = 1;
 
 /// Characters: of the column of methods.
 constexpr std::size_t kNameWidth =
@@ -38,7 +38,7 @@ constexpr std::array kHeadings{
 };
 
 /// How a text cell is taken from a spread.
-using Part = double runtime::Spread::*;
+using SpreadPart = double runtime::Spread::*;
 
 std::string heading(std::string_view title) {
   std::string above(kNameWidth, ' '), below = fmt::format("{:<{}}", title, kNameWidth);
@@ -49,7 +49,7 @@ std::string heading(std::string_view title) {
   return above + '\n' + below + '\n';
 }
 
-std::string line_of(const ComparisonRow& row, Part part) {
+std::string line_of(const ComparisonRow& row, SpreadPart part) {
   std::string text = fmt::format("{:<{}}", name(row.method), kNameWidth);
   if (!row.note.empty()) return text + "  " + row.note + '\n';
   for (const auto& spread : row.spreads)
@@ -61,7 +61,7 @@ bool is_same_run(const ComparisonRow& a, const ComparisonRow& b) {
   return a.program == b.program && a.machine == b.machine && a.machine_file == b.machine_file;
 }
 
-std::string table(std::string_view title, std::span<const ComparisonRow> rows, Part part) {
+std::string table(std::string_view title, std::span<const ComparisonRow> rows, SpreadPart part) {
   std::string text = heading(title);
   for (const ComparisonRow& row : rows) text += line_of(row, part);
   return text;
@@ -90,7 +90,7 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::string csv_number(const std::optional<runtime::Spread>& spread, Part part) {
+std::string csv_number(const std::optional<runtime::Spread>& spread, SpreadPart part) {
   return spread ? hal::number_text(*spread.*part) : std::string();
 }
 
@@ -144,7 +144,7 @@ std::string comparison_csv(std::span<const ComparisonRow> rows) {
 }
 
 std::string comparison_json(std::span<const ComparisonRow> rows) {
-  Json document{{"schema", kSchema}, {"rows", Json::array()}};
+  Json document{{"schema", kComparisonSchema}, {"rows", Json::array()}};
   for (const ComparisonRow& row : rows) document["rows"].push_back(json_of(row));
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

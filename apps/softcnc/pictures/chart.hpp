@@ -15,6 +15,14 @@ inline constexpr double kAxisLeft = 76, kAxisBelow = 44;
 inline constexpr TextLook kTickLook{.size = 11, .colour = kFaintInk},
     kLabelLook{.size = 12, .colour = kInk}, kHeadingLook{.size = 13, .bold = true};
 
+/// Factors from the units of a run to those of a label.
+inline constexpr double kPercent = 100, kMinute = 60;
+/// um that a scale of errors has at least: less is rounding.
+inline constexpr double kLeastError = 0.001;
+/// px beside a plot without a bar, and those that a line may be off where it is made of fewer
+/// parts.
+inline constexpr double kRight = 24, kStraight = 0.1;
+
 /// The numbers of an axis, with what they are and their unit: "time, s".
 struct AxisRange {
   std::string label;

@@ -10,8 +10,8 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kApart = 46;   // px between ticks
-constexpr double kTick = 5;     // px
+constexpr double kTicksApart = 46;    // px between ticks
+constexpr double kIsometricTick = 5;  // px
 constexpr double kCorner = 12;  // px beside the corner in front, where the end of X has its number
 
 /// An edge of the box that has a scale: along `axis`, from a corner.
@@ -43,7 +43,7 @@ class BoxAxes {
     const double length = (box_.high - box_.low)[axis];
     const double shortened = std::sqrt(2.0 / 3);  // as all axes in an isometric view
     return round_ticks(box_.low[axis], box_.high[axis],
-                       most_ticks(length * shortened * placing_.scale(), kApart));
+                       most_ticks(length * shortened * placing_.scale(), kTicksApart));
   }
 
   /// The lines at which an axis has its ticks: across the floor and up a wall, or around both
@@ -82,9 +82,12 @@ class BoxAxes {
       AxisVector point = edge.from;
       point[edge.axis] = marks.at(i);
       const Spot at = spot(point);
-      canvas_.line(at, {at.x + kTick * edge.outwards.x, at.y + kTick * edge.outwards.y}, pen);
+      canvas_.line(
+          at, {at.x + kIsometricTick * edge.outwards.x, at.y + kIsometricTick * edge.outwards.y},
+          pen);
       if (edge.axis == 1 && std::abs(at.x - spot(edge.from).x) < kCorner) continue;
-      canvas_.text({at.x + (kTick + 3) * edge.outwards.x, at.y + (kTick + 4) * edge.outwards.y + 4},
+      canvas_.text({at.x + (kIsometricTick + 3) * edge.outwards.x,
+                    at.y + (kIsometricTick + 4) * edge.outwards.y + 4},
                    marks.label(i), look);
     }
     draw_name(edge);

@@ -13,9 +13,9 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kStrip = 24, kStripGap = 6, kRow = 18, kBar = 12;  // px
-constexpr double kNames = 200, kFigures = 130;                      // px
-constexpr double kRight = 24;                                       // px
+constexpr double kStrip = 24, kStripGap = 6, kLimitRow = 18, kLimitBar = 12;  // px
+constexpr double kNameColumn = 200, kFigures = 130;                           // px
+constexpr double kLimitRight = 24;                                            // px
 constexpr double kLeastShare = 2e-3;
 
 double share(const PictureRun& run, Limit limit) {
@@ -26,7 +26,7 @@ double share(const PictureRun& run, Limit limit) {
 void draw_strips(Canvas& canvas, const Rectangle& area, PictureRuns runs) {
   const double duration = longest_time(runs);
   const TimeUnit unit = time_unit(duration);
-  Rectangle strip{area.x + kAxisLeft, area.y, area.width - kAxisLeft - kRight, kStrip};
+  Rectangle strip{area.x + kAxisLeft, area.y, area.width - kAxisLeft - kLimitRight, kStrip};
   const double px = strip.width / duration;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) strip.y += kStrip + kStripGap;
@@ -44,13 +44,14 @@ void draw_strips(Canvas& canvas, const Rectangle& area, PictureRuns runs) {
 
 void draw_share(Canvas& canvas, const Rectangle& row, const PictureRun& run, Limit limit,
                 double most, Colour colour) {
-  const double whole = row.width - kNames - kFigures - kRight;
-  canvas.fill({row.x + kNames, row.y + (kRow - kBar) / 2, whole * share(run, limit) / most, kBar},
+  const double whole = row.width - kNameColumn - kFigures - kLimitRight;
+  canvas.fill({row.x + kNameColumn, row.y + (kLimitRow - kLimitBar) / 2,
+               whole * share(run, limit) / most, kLimitBar},
               colour);
   const double seconds = run.time_by_limit[static_cast<std::size_t>(limit)];
   TextLook look = kTickLook;
   look.anchor = Anchor::right;
-  const double right = row.right() - kRight;
+  const double right = row.right() - kLimitRight;
   canvas.text({right - 52, row.y + 13}, fmt::format("{:.2f} s", seconds), look);
   canvas.text({right, row.y + 13}, fmt::format("{:.1f} %", 100 * share(run, limit)), look);
 }
@@ -107,7 +108,7 @@ double limit_plot_height(PictureRuns runs) {
   const auto count = static_cast<double>(runs.size());
   const auto limits = static_cast<double>(shown_limits(runs).size());
   return kHeadingLine + 4 + count * kStrip + (count - 1) * kStripGap + kAxisBelow + 10 +
-         limits * (count * kRow + (count - 1) * kStripGap);
+         limits * (count * kLimitRow + (count - 1) * kStripGap);
 }
 
 void draw_limit_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs) {
@@ -120,17 +121,18 @@ void draw_limit_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs) {
     for (const Limit limit : limits) most = std::max(most, share(run, limit));
   const auto count = static_cast<double>(runs.size());
   Rectangle row{area.x, top + count * kStrip + (count - 1) * kStripGap + kAxisBelow + 10,
-                area.width, kRow};
+                area.width, kLimitRow};
   for (const Limit limit : limits) {
     const Colour colour = limit_colour(limit);
-    canvas.fill({row.x + 8, row.y + (kRow - kBar) / 2, kBar, kBar}, colour);
-    canvas.text({row.x + 8 + kBar + 6, row.y + 13}, limit_label(limit), kLabelLook);
+    canvas.fill({row.x + 8, row.y + (kLimitRow - kLimitBar) / 2, kLimitBar, kLimitBar}, colour);
+    canvas.text({row.x + 8 + kLimitBar + 6, row.y + 13}, limit_label(limit), kLabelLook);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       TextLook look = kTickLook;
       look.anchor = Anchor::right;
-      if (runs.size() > 1) canvas.text({row.x + kNames - 6, row.y + 13}, i == 0 ? "A" : "B", look);
+      if (runs.size() > 1)
+        canvas.text({row.x + kNameColumn - 6, row.y + 13}, i == 0 ? "A" : "B", look);
       draw_share(canvas, row, runs[i], limit, most, i == 0 ? colour : faded(colour, 0.6));
-      row.y += kRow;
+      row.y += kLimitRow;
     }
     if (runs.size() > 1) row.y += kStripGap;
   }

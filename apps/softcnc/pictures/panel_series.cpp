@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pictures/chart.hpp"
+
 namespace softcnc::app {
 namespace {
 
@@ -12,10 +14,7 @@ using runtime::HistoryNode;
 using runtime::MotionKind;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMinute = 60;  // s
-constexpr double kPercent = 100;
-constexpr double kLine = 1.3;          // px
-constexpr double kLeastError = 0.001;  // um, an axis of errors goes so far: less is rounding
+constexpr double kSeriesLine = 1.3;  // px
 const Colour kProgrammed{90, 96, 106}, kAcceleration{213, 94, 0}, kJerk{204, 121, 167};
 
 /// A series of one value for each run.
@@ -24,15 +23,16 @@ void add_series(TimePanel& panel, PictureRuns runs, const std::string& label, Co
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const bool single = runs.size() == 1;
     const std::string name = single ? label : i == 0 ? "A" : "B";
-    panel.series.push_back({.label = name,
-                            .pen = {.colour = single ? alone : category_colour(i), .width = kLine},
-                            .history = runs[i].history,
-                            .value = value,
-                            .is_step = is_step});
+    panel.series.push_back(
+        {.label = name,
+         .pen = {.colour = single ? alone : category_colour(i), .width = kSeriesLine},
+         .history = runs[i].history,
+         .value = value,
+         .is_step = is_step});
   }
 }
 
-double feed_of(const HistoryNode&, const HistoryNode& node) {
+double programmed_feed(const HistoryNode&, const HistoryNode& node) {
   return node.motion == MotionKind::cutting && node.feed > 0 ? kMinute * node.feed : kNone;
 }
 
@@ -86,7 +86,8 @@ TimePanel velocity_panel(PictureRuns runs) {
       if (moves(*runs[0].history, axis))
         panel.series.push_back(
             {.label = std::string(1, kAxisLetters[static_cast<std::size_t>(axis)]),
-             .pen = {.colour = category_colour(static_cast<std::size_t>(axis)), .width = kLine},
+             .pen = {.colour = category_colour(static_cast<std::size_t>(axis)),
+                     .width = kSeriesLine},
              .history = runs[0].history,
              .value = axis_value(runs[0], axis)});
     return panel;
@@ -95,7 +96,7 @@ TimePanel velocity_panel(PictureRuns runs) {
       limits ? "Velocity of the axis nearest its limit" : "Velocity of the fastest axis";
   for (std::size_t i = 0; i < runs.size(); ++i)
     panel.series.push_back({.label = i == 0 ? "A" : "B",
-                            .pen = {.colour = category_colour(i), .width = kLine},
+                            .pen = {.colour = category_colour(i), .width = kSeriesLine},
                             .history = runs[i].history,
                             .value = fastest_axis(runs[i])});
   return panel;
@@ -146,14 +147,14 @@ std::vector<TimePanel> feed_panels(PictureRuns runs) {
   TimePanel panel{.heading = "Feed", .label = "feed, mm/min", .series = {}};
   if (runs.size() == 1)
     panel.series.push_back({.label = "programmed",
-                            .pen = {.colour = kProgrammed, .width = kLine, .dashed = true},
+                            .pen = {.colour = kProgrammed, .width = kSeriesLine, .dashed = true},
                             .history = runs[0].history,
-                            .value = feed_of});
+                            .value = programmed_feed});
   add_series(panel, runs, "achieved", category_colour(0), speed, false);
   // The axis is as long as cutting moves need.
   for (TimeSeries& series : panel.series) series.in_range = series.pen.dashed;
   for (const PictureRun& run : runs)
-    for (const auto& value : {feed_of, cutting_speed})
+    for (const auto& value : {programmed_feed, cutting_speed})
       panel.least =
           std::max(panel.least,
                    largest_value({.label = {}, .pen = {}, .history = run.history, .value = value}));

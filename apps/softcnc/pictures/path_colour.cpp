@@ -9,14 +9,13 @@
 #include <numeric>
 #include <utility>
 
+#include "pictures/chart.hpp"
+
 namespace softcnc::app {
 namespace {
 
 using runtime::HistoryNode;
 using runtime::MotionKind;
-
-constexpr double kPercent = 100, kMinute = 60;
-constexpr double kLeastError = 0.001;  // um, a scale of errors goes so far: less is rounding
 
 struct ColouringLook {
   std::string_view heading, label;
@@ -26,7 +25,7 @@ struct ColouringLook {
 };
 
 /// In the order of the enumeration.
-constexpr std::array<ColouringLook, kColouringNames.size()> kLooks{
+constexpr std::array<ColouringLook, kColouringNames.size()> kColouringLooks{
     {{"achieved feed", "achieved / programmed feed, %", false, kPercent, kPercent, nullptr},
      {"speed", "speed, mm/min", false, 0, kMinute, nullptr},
      {"what limits the feed", "", false, 0, 1, nullptr},
@@ -39,7 +38,9 @@ constexpr std::array<ColouringLook, kColouringNames.size()> kLooks{
      {"predicted Rmax", "Rmax, µm", true, kLeastError, 1, &HistoryNode::rmax},
      {"tool", "", false, 0, 1, nullptr}}};
 
-const ColouringLook& look_of(Colouring by) noexcept { return kLooks[static_cast<std::size_t>(by)]; }
+const ColouringLook& look_of(Colouring by) noexcept {
+  return kColouringLooks[static_cast<std::size_t>(by)];
+}
 
 template <typename Take>
 void each_cut(PictureRuns runs, Take&& take) {

@@ -15,23 +15,21 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kMargin = 0.05;                 // of the path's extent, around it
-constexpr double kMostColoured = 50;             // px
-constexpr std::size_t kMostPieces = 15'000;      // of a run
-constexpr double kLowest = 200, kHighest = 560;  // px, of the rectangle
-constexpr double kBetween = 18;                  // px, between the rectangles of two runs
+constexpr double kAroundPath = 0.05;                     // of the path's extent, around it
+constexpr double kMostColoured = 50;                     // px
+constexpr std::size_t kMostPieces = 15'000;              // of a run
+constexpr double kLowestPlot = 200, kHighestPlot = 560;  // px, of the rectangle
+constexpr double kBetweenRuns = 18;                      // px, between the rectangles of two runs
 const Pen kRapidPen{.colour = kRapidColour, .width = 0.8, .dashed = true};
-constexpr double kRight = 24;       // px beside a path without a bar
 constexpr double kThinnest = 0.12;  // of the longest side of a box, the others at least
-constexpr double kStraight = 0.1;   // px that a line may be off
 constexpr double kCutLine = 1.7;    // px
 
 /// What is shown: a box with some extent in what is seen of it.
-struct Shown {
+struct ShownPaths {
   PathView view = PathView::above;
   Box box;
 
-  explicit Shown(PictureRuns runs) : view(path_view(runs)), box(path_box(runs)) {
+  explicit ShownPaths(PictureRuns runs) : view(path_view(runs)), box(path_box(runs)) {
     if (box.is_empty()) return;
     const double size = std::max(box.size(), 1e-3);
     for (int axis = 0; axis < kAxes; ++axis) {
@@ -46,7 +44,7 @@ struct Shown {
   /// As seen, with a margin.
   std::pair<Eigen::Vector2d, Eigen::Vector2d> extent() const {
     auto [low, high] = seen_extent(view, box);
-    const double margin = kMargin * std::max((high - low).maxCoeff(), 1e-3);
+    const double margin = kAroundPath * std::max((high - low).maxCoeff(), 1e-3);
     low.array() -= margin;
     high.array() += margin;
     return {low, high};
@@ -55,7 +53,7 @@ struct Shown {
 
 double inner_width(double width, std::size_t runs, Colouring by) {
   const double bare = width - kAxisLeft - (is_category(by) ? kRight : kBarRight);
-  return runs < 2 ? bare : (bare - kBetween - kAxisLeft) / 2;
+  return runs < 2 ? bare : (bare - kBetweenRuns - kAxisLeft) / 2;
 }
 
 /// Colours change as often as a picture can show, or a file should hold.
@@ -73,8 +71,8 @@ void draw_pieces(Canvas& canvas, const PathPieces& pieces) {
     canvas.line(straightened(piece.spots, kStraight), {.colour = piece.colour, .width = kCutLine});
 }
 
-void draw_run(Canvas& canvas, const Rectangle& inner, const PictureRun& run, const Shown& shown,
-              const PathColours& colours) {
+void draw_run(Canvas& canvas, const Rectangle& inner, const PictureRun& run,
+              const ShownPaths& shown, const PathColours& colours) {
   const auto [low, high] = shown.extent();
   const Placing placing(low, high, inner);
   const auto place = [&](const AxisVector& point) { return placing(seen(shown.view, point)); };
@@ -109,14 +107,14 @@ std::vector<LegendEntry> legend_entries(PictureRuns runs, const PathColours& col
 }  // namespace
 
 double path_plot_height(PictureRuns runs, Colouring by, double width) {
-  const Shown shown(runs);
+  const ShownPaths shown(runs);
   if (shown.box.is_empty()) return kHeadingLine + 60;
   const auto [low, high] = shown.extent();
   const double inner = inner_width(width, runs.size(), by);
   const double below = shown.view == PathView::above ? kAxisBelow : 12;
   const double sides = runs.size() > 1 ? kHeadingLine : 0;
   return kHeadingLine + 4 + sides + below +
-         std::clamp(inner * (high - low)[1] / (high - low)[0], kLowest, kHighest);
+         std::clamp(inner * (high - low)[1] / (high - low)[0], kLowestPlot, kHighestPlot);
 }
 
 void draw_path_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs, Colouring by) {
@@ -124,7 +122,7 @@ void draw_path_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs, Col
   const std::vector<LegendEntry> entries = legend_entries(runs, colours);
   const int lines = heading_lines(canvas, colours.heading(), entries, area.width);
   draw_heading(canvas, {area.x, area.y}, colours.heading(), entries, area.width);
-  const Shown shown(runs);
+  const ShownPaths shown(runs);
   if (shown.box.is_empty()) {
     canvas.text({area.x + kAxisLeft, area.y + kHeadingLine + 30}, "no motion", kLabelLook);
     return;
@@ -135,7 +133,7 @@ void draw_path_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs, Col
   Rectangle inner{area.x + kAxisLeft, top, inner_width(area.width, runs.size(), by),
                   area.bottom() - top - (above ? kAxisBelow : 12)};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i > 0) inner.x = inner.right() + kBetween + kAxisLeft;
+    if (i > 0) inner.x = inner.right() + kBetweenRuns + kAxisLeft;
     if (runs.size() > 1) canvas.text({inner.x, inner.y - 6}, i == 0 ? "A" : "B", kHeadingLook);
     draw_run(canvas, inner, runs[i], shown, colours);
   }

@@ -14,12 +14,12 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kWidth = 1000, kMargin = 16, kBetween = 20, kTitle = 46;  // px
-constexpr double kColumn = (kWidth - 2 * kMargin - kBetween) / 2;
+constexpr double kWidth = 1000, kSheetMargin = 16, kBetweenPanels = 20, kTitle = 46;  // px
+constexpr double kColumn = (kWidth - 2 * kSheetMargin - kBetweenPanels) / 2;
 constexpr double kInner = kColumn - kAxisLeft - kBarRight;  // px: the longer side of a map
 constexpr double kProfile = 110;                            // px
 constexpr double kLeastNumber = 30;                         // px of a region with a number in it
-const Colour kGouged{204, 51, 17}, kMissed{204, 51, 17}, kLine{0, 114, 178};
+const Colour kGouged{204, 51, 17}, kMissed{204, 51, 17}, kProfileColour{0, 114, 178};
 
 /// A rectangle of the grid, and where its map is drawn.
 struct MapArea {
@@ -48,13 +48,13 @@ class SurfacePage {
 
   Result<std::string> draw(const std::string& title, const Pixels& lit) {
     const TextLook look{.size = 15, .bold = true};
-    canvas_.text({kMargin, kMargin + 16}, canvas_.shortened(title, look, kWidth - 2 * kMargin),
-                 look);
-    draw_whole({kMargin, kTitle}, lit);
-    draw_middle({kMargin + kColumn + kBetween, kTitle});
+    canvas_.text({kSheetMargin, kSheetMargin + 16},
+                 canvas_.shortened(title, look, kWidth - 2 * kSheetMargin), look);
+    draw_whole({kSheetMargin, kTitle}, lit);
+    draw_middle({kSheetMargin + kColumn + kBetweenPanels, kTitle});
     const double second = kTitle + kHeadingLine + 6 + kInner + kAxisBelow + 16;
-    draw_rmax({kMargin, second});
-    draw_profiles({kMargin + kColumn + kBetween, second});
+    draw_rmax({kSheetMargin, second});
+    draw_profiles({kSheetMargin + kColumn + kBetweenPanels, second});
     return canvas_.bytes();
   }
 
@@ -205,14 +205,14 @@ class SurfacePage {
                     int count, Value&& value) {
     heading(corner, text);
     const Rectangle inner{corner.x + kAxisLeft, corner.y + kHeadingLine + 6,
-                          kColumn - kAxisLeft - kMargin, kProfile};
+                          kColumn - kAxisLeft - kSheetMargin, kProfile};
     const double most = std::max(um_from_mm(middle_.highest()), 1e-3);
     const Chart chart(inner, {axis, from, from + count * grid_.step},
                       {"height, µm", 0, 1.06 * most});
     chart.draw_grid(canvas_);
     canvas_.clip(inner);
     LineThinning line(0.5);
-    const Pen pen{.colour = kLine, .width = 1.3};
+    const Pen pen{.colour = kProfileColour, .width = 1.3};
     for (int i = 0; i < count; ++i) {
       const auto um = um_from_mm(static_cast<double>(value(i)));
       if (std::isnan(um))

@@ -15,10 +15,8 @@ namespace {
 using runtime::HistoryNode;
 using runtime::MotionKind;
 
-constexpr double kStraight = 0.1;  // px that a line may be off
-constexpr double kAbove = 1.06;    // of the largest value, the end of the axis
-constexpr double kApart = 0.5;     // px between columns of a line
-constexpr double kRight = 24;      // px beside a chart without a bar
+constexpr double kAbove = 1.06;  // of the largest value, the end of the axis
+constexpr double kApart = 0.5;   // px between columns of a line
 const Colour kRapidBand{238, 239, 242};
 
 /// Calls take(before, node) for all that follows the first node.

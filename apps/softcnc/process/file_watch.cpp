@@ -26,7 +26,7 @@ tl::unexpected<Diagnostic> unwatched(const std::string& file) {
                  .file = file});
 }
 
-constexpr int kLook = 1000;  // ms
+constexpr int kWatchInterval = 1000;  // ms
 
 FileStamp stamp_of(const std::string& file) {
   struct stat status {};
@@ -109,7 +109,7 @@ bool FileWatch::wait(StopSignals& signals) {
   bool changed = false;
   while (signals.poll() == 0) {
     changed = has_changed() || changed;
-    if (!changed && !signals.wait_for_input(*queue_, kLook)) changed = looks_changed();
+    if (!changed && !signals.wait_for_input(*queue_, kWatchInterval)) changed = looks_changed();
     if (!changed || is_readable(*queue_, kQuiet)) continue;
     watch_again();
     look();

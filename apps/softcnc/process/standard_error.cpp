@@ -15,7 +15,7 @@ namespace softcnc::app {
 namespace {
 
 constexpr std::size_t kAtOnce = PIPE_BUF;  // what a pipe takes that is ready for any
-constexpr int kLook = 100;                 // ms from one look at signals to the next
+constexpr int kSignalInterval = 100;       // ms from one look at signals to the next
 
 std::atomic<bool> waits{true};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -37,7 +37,7 @@ bool is_ready(int time) noexcept {
 }
 
 bool wait_until_ready() noexcept {
-  while (!is_ready(kLook))
+  while (!is_ready(kSignalInterval))
     if (is_stop_pending()) return false;
   return true;
 }

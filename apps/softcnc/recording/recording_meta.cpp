@@ -17,7 +17,7 @@ tl::unexpected<Diagnostic> error(Code code, std::string message) {
 }
 
 constexpr int kFirstSchema = 1;  // without a hash
-constexpr double kLargestOverride = 2;
+constexpr double kLargestOverridePart = 2;
 
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -56,7 +56,7 @@ Result<std::int64_t> read_rows(const Json& trace) {
 
 Result<double> read_override(const Json& options) {
   const double feed_override = options.at("feed_override");
-  if (feed_override > 0 && feed_override <= kLargestOverride) return feed_override;
+  if (feed_override > 0 && feed_override <= kLargestOverridePart) return feed_override;
   return error(Code::SC6021,
                "its meta.json has an invalid feed override: " + options.at("feed_override").dump());
 }
@@ -73,12 +73,10 @@ Result<std::vector<CalledFile>> read_called(const Json& json) {
   return called;
 }
 
-constexpr const char* kGuessed = "auto";  // the dialect by the program
-
 /// Recordings made before there were dialects name none.
 Status read_dialect(const Json& options, ipr::InterpreterOptions& to) {
   const std::string word = options.value("dialect", std::string(name(ipr::Dialect::linuxcnc)));
-  to.guess_dialect = word == kGuessed;
+  to.guess_dialect = word == ipr::kGuessed;
   if (to.guess_dialect) return {};
   for (const ipr::Dialect dialect : ipr::kAllDialects) {
     if (word != name(dialect)) continue;
@@ -89,7 +87,7 @@ Status read_dialect(const Json& options, ipr::InterpreterOptions& to) {
 }
 
 std::string_view dialect_word(const ipr::InterpreterOptions& options) {
-  return options.guess_dialect ? kGuessed : name(options.dialect);
+  return options.guess_dialect ? ipr::kGuessed : name(options.dialect);
 }
 
 /// The same for formats.

@@ -68,14 +68,14 @@ double apart(const ParsedRow& a, const ParsedRow& b) {
 
 /// Along the path no two places are further apart than the lengths to them differ.
 std::string meaning(const ParsedRow& recorded, const ParsedRow& replayed) {
-  constexpr double kSame = 1e-6, kRounding = 1e-3;  // mm; of a length
+  constexpr double kSame = 1e-6, kOfLength = 1e-3;  // mm; of a length
   const double far = apart(recorded, replayed);
   if (far <= kSame) return "the tool is in the same place";
   if (recorded.word("block") != replayed.word("block"))
     return fmt::format(
         "the tool is {:.4g} mm away, in another block: the motion takes a different time", far);
   const double along = replayed.value("s_mm") - recorded.value("s_mm");
-  if (far <= std::abs(along) * (1 + kRounding) + kSame)
+  if (far <= std::abs(along) * (1 + kOfLength) + kSame)
     return fmt::format("the same path at a different time: the tool is {:.4g} mm {}",
                        std::abs(along), along > 0 ? "ahead" : "behind");
   return fmt::format("a different path, or a different part of it: the tool is {:.4g} mm away",

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kReplaySchema = 1;
 
 std::int64_t count(const std::vector<ReplayResult>& results, ReplayEnd end) {
   return std::count_if(results.begin(), results.end(),
@@ -52,7 +52,7 @@ std::string replay_summary(const std::vector<ReplayResult>& results) {
 }
 
 std::string replay_json(const std::vector<ReplayResult>& results) {
-  Json json{{"schema", kSchema},
+  Json json{{"schema", kReplaySchema},
             {"softcnc", SOFTCNC_VERSION},
             {"agree", count(results, ReplayEnd::agrees)},
             {"differ", count(results, ReplayEnd::differs)},

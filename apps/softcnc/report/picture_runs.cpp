@@ -9,8 +9,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr std::size_t kWorstLines = 10;
-
 std::string remark(Ending ending) {
   switch (ending) {
     case Ending::stopped:

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kPageSchema = 1;
 constexpr std::string_view kPlace = "<!--softcnc-report-->";
 
 /// Within a script element nothing may look like its end.
@@ -36,7 +36,7 @@ std::string element(std::string_view type, std::string_view id, std::string_view
 Result<std::string> data_elements(std::span<const ReportedRun> runs,
                                   const std::optional<WhatIf>& what_if) {
   PackedData data;
-  Json report{{"schema", kSchema}, {"softcnc", SOFTCNC_VERSION}, {"runs", Json::array()}};
+  Json report{{"schema", kPageSchema}, {"softcnc", SOFTCNC_VERSION}, {"runs", Json::array()}};
   for (const ReportedRun& run : runs) report["runs"].push_back(run_json(run, data));
   if (runs.size() == 2) {
     const auto comparison = compare_runs(runs[0], runs[1]);

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLines = 200;  // of the largest differences
-constexpr double kLeast = 1e-6;      // s
+constexpr std::size_t kMostDifferences = 200;  // of the largest differences
+constexpr double kLeast = 1e-6;                // s
 
 std::string file_name(const ReportedRun& run, int file) {
   const auto index = static_cast<std::size_t>(file);
@@ -46,7 +46,7 @@ std::vector<LineDifference> by_line(const ReportedRun& a, const ReportedRun& b) 
                    [](const LineDifference& x, const LineDifference& y) {
                      return std::abs(x.b - x.a) > std::abs(y.b - y.a);
                    });
-  differences.resize(std::min(differences.size(), kLines));
+  differences.resize(std::min(differences.size(), kMostDifferences));
   for (LineDifference& line : differences)
     if (line.file.empty()) line.file = a.name;
   return differences;

@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kWorstLines = 10;
-
 Json axis_limits(const Machine& machine) {
   Json list = Json::array();
   for (int i = 0; i < kAxes; ++i) {

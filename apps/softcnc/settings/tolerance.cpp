@@ -19,19 +19,19 @@ namespace {
 
 using runtime::Aspect, runtime::Margin;
 
-constexpr double kPercent = 0.01;
+constexpr double kOnePercent = 0.01;
 
 struct Unit {
   std::string_view name;
   double size;  // in s, mm or mm/s; of a value, for %
 };
-constexpr Unit kTimes[] = {
-    {"s", 1}, {"ms", s_from_ms(1)}, {"us", s_from_ns(1000)}, {"%", kPercent}};
+constexpr Unit kTimeUnits[] = {
+    {"s", 1}, {"ms", s_from_ms(1)}, {"us", s_from_ns(1000)}, {"%", kOnePercent}};
 constexpr Unit kLengths[] = {{"mm", 1}, {"um", mm_from_um(1)}};
-constexpr Unit kSpeeds[] = {{"mm/s", 1}, {"mm/min", mm_s_from_mm_min(1)}, {"%", kPercent}};
+constexpr Unit kSpeeds[] = {{"mm/s", 1}, {"mm/min", mm_s_from_mm_min(1)}, {"%", kOnePercent}};
 
 std::span<const Unit> units_of(Aspect aspect) {
-  if (aspect == Aspect::time) return kTimes;
+  if (aspect == Aspect::time) return kTimeUnits;
   if (aspect == Aspect::speed) return kSpeeds;
   return kLengths;
 }

@@ -5,16 +5,15 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "motion/core/units.hpp"
 #include "motion/model/servo_figures.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;  // rad
-constexpr double kSameInstant = 1e-9;             // of a servo period: rounding
+constexpr double kSameInstant = 1e-9;  // of a servo period: rounding
 
 }  // namespace
 

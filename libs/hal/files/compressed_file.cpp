@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "hal/files/decompression_limit.hpp"
+#include "hal/files/file_piece.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr std::size_t kPiece = 1U << 16U;  // bytes
 constexpr std::string_view kZstdMagic = "\x28\xB5\x2F\xFD";
 
 int leave_open(std::FILE* /*stream*/) { return 0; }
@@ -25,7 +25,7 @@ CompressedFile::CompressedFile(std::string file, std::FILE* stream, Code unreada
       unreadable_(unreadable),
       damaged_(damaged),
       decompressor_(ZSTD_createDCtx(), ZSTD_freeDCtx),
-      bytes_(kPiece, '\0') {}
+      bytes_(kFilePiece, '\0') {}
 
 CompressedFile::CompressedFile(ZipEntry entry, std::string name, Code unreadable, Code damaged)
     : CompressedFile(std::move(name), nullptr, unreadable, damaged) {

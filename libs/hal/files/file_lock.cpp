@@ -15,12 +15,10 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr mode_t kMode = 0666;  // less the umask
-
 /// Another user's may be one that can only be read, which is enough for a lock.
 int open_lock(const std::string& name) {
   constexpr int kFlags = O_NOFOLLOW | O_CLOEXEC;
-  int file = ::open(name.c_str(), O_RDWR | O_CREAT | kFlags, kMode);
+  int file = ::open(name.c_str(), O_RDWR | O_CREAT | kFlags, kNewFileMode);
   if (file >= 0 || errno != EACCES) return file;
   file = ::open(name.c_str(), O_RDONLY | kFlags);
   if (file < 0) errno = EACCES;
@@ -56,10 +54,6 @@ void sign(int descriptor) {
   if (::pwrite(descriptor, number.data(), number.size(), 0) < 0) return;
 }
 
-tl::unexpected<Diagnostic> failure(Code code, const std::string& file, const std::string& what) {
-  return tl::make_unexpected(Diagnostic{.code = code, .message = what, .file = file});
-}
-
 }  // namespace
 
 Result<FileLock> FileLock::take(const std::string& file) {
@@ -68,9 +62,9 @@ Result<FileLock> FileLock::take(const std::string& file) {
   for (;;) {
     FileLock lock(open_lock(name));
     if (lock.descriptor_ < 0)
-      return failure(Code::SC6011, file, "cannot be created: " + why_not(name));
+      return file_failure(Code::SC6011, file, "cannot be created: " + why_not(name));
     if (is_taken(lock.descriptor_))
-      return failure(Code::SC6017, file, "is in use by " + holder(lock.descriptor_));
+      return file_failure(Code::SC6017, file, "is in use by " + holder(lock.descriptor_));
     if (!bears(lock.descriptor_, name)) continue;  // its last holder has just removed it
     sign(lock.descriptor_);
     lock.name_ = std::move(name);

@@ -20,15 +20,14 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr mode_t kMode = 0666;             // less the umask
 constexpr mode_t kRights = 0777;           // of a mode
 constexpr int kMostLinks = 40;             // as many as the system follows
 constexpr int kLook = 50;                  // ms from one look for a reader to the next
 constexpr std::size_t kAtOnce = PIPE_BUF;  // what a pipe takes that is ready for any
 
-tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
-  return tl::make_unexpected(Diagnostic{
-      .code = code, .message = std::string(what) + ": " + std::strerror(errno), .file = file});
+/// Of the call that has failed last.
+tl::unexpected<Diagnostic> call_failure(Code code, const std::string& file, std::string_view what) {
+  return file_failure(code, file, std::string(what) + ": " + std::strerror(errno));
 }
 
 /// Symbolic links that lead round in a circle, or too many of them.
@@ -68,7 +67,7 @@ class Replaced {
   /// False with errno where no file can have that name: one beside it could be written.
   bool can_be() const noexcept { return can_be_; }
 
-  mode_t mode() const noexcept { return exists_ ? info_.st_mode & kRights : kMode; }
+  mode_t mode() const noexcept { return exists_ ? info_.st_mode & kRights : kNewFileMode; }
 
   /// Rights of a group that cannot be kept would be those of another one.
   void hand_over(int descriptor) const {
@@ -87,9 +86,13 @@ class Replaced {
 
 }  // namespace
 
+tl::unexpected<Diagnostic> file_failure(Code code, const std::string& file, std::string message) {
+  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message), .file = file});
+}
+
 /// The object is there before the file is: no failure in between leaves a file.
 Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file, Patience patience) {
-  if (leads_nowhere(file)) return failure(Code::SC6011, file, "cannot be created");
+  if (leads_nowhere(file)) return call_failure(Code::SC6011, file, "cannot be created");
   std::unique_ptr<OutputFile> output(new OutputFile(file, std::move(patience)));
   if (file == "-")
     output->descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
@@ -97,7 +100,7 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file, Pa
     output->descriptor_ = output->open_directly();
   else
     output->begin(target_of(file));
-  if (output->descriptor_ < 0) return failure(Code::SC6011, file, "cannot be created");
+  if (output->descriptor_ < 0) return call_failure(Code::SC6011, file, "cannot be created");
   output->may_wait_ = output->patience_.stop.stop_possible() && !is_regular(output->descriptor_);
   return output;
 }
@@ -134,10 +137,7 @@ OutputFile::~OutputFile() {
 Status OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     if (may_wait_ && !has_reader())
-      return tl::make_unexpected(
-          Diagnostic{.code = Code::SC6012,
-                     .message = "writing failed: nobody reads what is written",
-                     .file = name_});
+      return file_failure(Code::SC6012, name_, "writing failed: nobody reads what is written");
     const auto size = may_wait_ ? std::min(bytes.size(), kAtOnce) : bytes.size();
     const auto written = ::write(descriptor_, bytes.data(), size);
     if (written >= 0)
@@ -174,8 +174,8 @@ Status OutputFile::finish() {
 }
 
 Status OutputFile::failed() const {
-  if (errno == EPIPE) return failure(Code::SC6013, name_, "the reader closed the pipe");
-  return failure(Code::SC6012, name_, "writing failed");
+  if (errno == EPIPE) return call_failure(Code::SC6013, name_, "the reader closed the pipe");
+  return call_failure(Code::SC6012, name_, "writing failed");
 }
 
 std::string target_of(const std::string& file) {

@@ -13,6 +13,9 @@
 
 namespace softcnc::hal {
 
+/// Returns an error of a file.
+tl::unexpected<Diagnostic> file_failure(Code code, const std::string& file, std::string message);
+
 /// A destination of bytes.
 class ByteSink {
  public:

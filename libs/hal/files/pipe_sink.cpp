@@ -21,10 +21,6 @@ namespace {
 
 constexpr std::string_view kStandardOutput = "-";
 
-tl::unexpected<Diagnostic> refused(Code code, const std::string& file, const std::string& what) {
-  return tl::make_unexpected(Diagnostic{.code = code, .message = what, .file = file});
-}
-
 /// Opened without waiting for a reader; from then on writing may wait.
 int open_fifo(const std::string& file) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
@@ -48,9 +44,10 @@ Result<std::unique_ptr<PipeSink>> PipeSink::open(const std::string& file, double
   const int descriptor =
       file == kStandardOutput ? ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : open_fifo(file);
   if (descriptor < 0 && errno == ENXIO)
-    return refused(Code::SC6070, file, "no program reads this pipe; start its reader first");
+    return file_failure(Code::SC6070, file, "no program reads this pipe; start its reader first");
   if (descriptor < 0)
-    return refused(Code::SC6011, file, std::string("cannot be opened: ") + std::strerror(errno));
+    return file_failure(Code::SC6011, file,
+                        std::string("cannot be opened: ") + std::strerror(errno));
   const auto ms = static_cast<int>(std::ceil(ms_from_s(patience)));
   return std::unique_ptr<PipeSink>(new PipeSink(file, descriptor, ms));
 }
@@ -91,7 +88,7 @@ Status PipeSink::finish() {
 }
 
 tl::unexpected<Diagnostic> PipeSink::failed(Code code, const std::string& what) const {
-  return refused(code, name_, what);
+  return file_failure(code, name_, what);
 }
 
 }  // namespace softcnc::hal

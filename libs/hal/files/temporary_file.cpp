@@ -7,14 +7,13 @@
 #include <string>
 #include <system_error>
 
+#include "hal/files/file_piece.hpp"
 #include "motion/core/unnamed_file.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr std::size_t kPiece = 1U << 16U;  // bytes
-
-tl::unexpected<Diagnostic> failure() {
+tl::unexpected<Diagnostic> no_temporary_file() {
   return tl::make_unexpected(
       Diagnostic{.code = Code::SC6003,
                  .message = "no temporary file: " + std::generic_category().message(errno)});
@@ -24,7 +23,7 @@ tl::unexpected<Diagnostic> failure() {
 
 Result<TemporaryFile> TemporaryFile::make() {
   const int descriptor = open_unnamed_file();
-  if (descriptor < 0) return failure();
+  if (descriptor < 0) return no_temporary_file();
   return TemporaryFile(descriptor);
 }
 
@@ -38,17 +37,17 @@ Status TemporaryFile::add(std::string_view bytes) {
     if (written >= 0)
       bytes.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      return failure();
+      return no_temporary_file();
   }
   return {};
 }
 
 Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view)>& take) const {
-  std::string piece(kPiece, '\0');
+  std::string piece(kFilePiece, '\0');
   for (off_t at = 0;;) {
     const ssize_t n = ::pread(descriptor_, piece.data(), piece.size(), at);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return failure();
+    if (n < 0) return no_temporary_file();
     if (n == 0) return {};
     const auto size = static_cast<std::size_t>(n);
     if (Status taken = take(std::string_view(piece).substr(0, size)); !taken) return taken;

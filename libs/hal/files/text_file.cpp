@@ -17,7 +17,7 @@ tl::unexpected<Diagnostic> unreadable(const std::string& file, Code code) {
                  .file = file});
 }
 
-constexpr std::size_t kLongest = std::size_t{1} << 24;  // bytes: no machine needs as many
+constexpr std::size_t kLongestTextFile = std::size_t{1} << 24;  // bytes: no machine needs as many
 
 tl::unexpected<Diagnostic> too_long(const std::string& file, Code code) {
   return tl::make_unexpected(
@@ -34,7 +34,7 @@ Result<std::string> read_text(const std::string& file, Code code) {
   std::array<char, 4096> part{};
   while (const auto n = std::fread(part.data(), 1, part.size(), stream.get())) {
     text.append(part.data(), n);
-    if (text.size() > kLongest) return too_long(file, code);
+    if (text.size() > kLongestTextFile) return too_long(file, code);
   }
   if (std::ferror(stream.get())) return unreadable(file, code);
   return text;

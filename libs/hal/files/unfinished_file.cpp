@@ -21,9 +21,9 @@ constexpr std::string_view kMark = ".softcnc-";
 constexpr std::string_view kLock = "lock";
 constexpr int kAttempts = 100;  // names that are tried
 
-constexpr std::string_view kDigits = "0123456789abcdef";
+constexpr std::string_view kEndingDigits = "0123456789abcdef";
 
-bool is_digit(char c) noexcept { return kDigits.find(c) != std::string_view::npos; }
+bool is_ending_digit(char c) noexcept { return kEndingDigits.find(c) != std::string_view::npos; }
 
 /// Empty if the system gives no random numbers; errno says why.
 std::string random_ending() {
@@ -31,7 +31,7 @@ std::string random_ending() {
   if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
     return {};
   std::string ending;
-  for (const unsigned char number : random) ending += kDigits[number % kDigits.size()];
+  for (const unsigned char number : random) ending += kEndingDigits[number % kEndingDigits.size()];
   return ending;
 }
 
@@ -56,7 +56,7 @@ bool is_name_beside_target(std::string_view path) noexcept {
   if (!path.starts_with('.') || mark == std::string_view::npos) return false;
   const std::string_view ending = path.substr(mark + kMark.size());
   return ending == kLock || (ending.size() == kUnfinishedEnding &&
-                             std::all_of(ending.begin(), ending.end(), is_digit));
+                             std::all_of(ending.begin(), ending.end(), is_ending_digit));
 }
 
 bool bears(int descriptor, const std::string& name) {

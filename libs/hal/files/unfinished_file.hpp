@@ -16,6 +16,8 @@ struct UnfinishedFile {
   int descriptor = -1;  // below 0: none could be made, and errno says why
 };
 
+inline constexpr mode_t kNewFileMode = 0666;  // less the umask
+
 /// A new file in the folder of `target`, under a name that nothing had. It is locked (flock) as
 /// long as the descriptor is open, where the file system knows locks. `mode` is less the umask.
 UnfinishedFile make_unfinished(const std::string& target, mode_t mode);

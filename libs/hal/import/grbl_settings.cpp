@@ -51,7 +51,7 @@ std::optional<int> number_of_path(std::string_view path) {
   return std::nullopt;
 }
 
-std::optional<int> number_of(std::string_view name) {
+std::optional<int> grbl_number_of(std::string_view name) {
   if (name.starts_with('/')) return number_of_path(name);
   const auto number = setting_number(name);
   const bool whole = number && *number >= 0 && *number < 1e6 && *number == std::floor(*number);
@@ -97,7 +97,7 @@ class GrblReader {
   void take(std::string_view name, std::string_view rest, const std::string& line, int number) {
     const std::string_view value = trimmed_setting(rest.substr(0, rest.find_first_of("(;#")));
     const GivenAt at = place_of(file_, number, line, value);
-    const auto setting = number_of(name);
+    const auto setting = grbl_number_of(name);
     if (!setting || !has_key(*setting)) return draft_.leave(at);
     const auto read = setting_number(value);
     if (!read || *read < 0 || (*read == 0 && must_be_positive(*setting)))
@@ -159,7 +159,7 @@ bool is_grbl_settings(std::string_view text) {
     const std::string_view setting = trimmed_setting(line);
     const auto equals = setting.find('=');
     if (setting.starts_with('$') && equals != setting.npos &&
-        number_of(trimmed_setting(setting.substr(1, equals - 1))))
+        grbl_number_of(trimmed_setting(setting.substr(1, equals - 1))))
       return true;
   }
   return false;

@@ -15,7 +15,7 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kSettingBlanks = " \t\r\v\f";
 
 std::string table_of(const std::string& key) {
   const auto dot = key.rfind('.');
@@ -36,7 +36,7 @@ Diagnostic diagnostic(Code code, const GivenAt& at, std::string message) {
           .source_line = at.line};
 }
 
-bool earlier(const Diagnostic& a, const Diagnostic& b) {
+bool stands_before(const Diagnostic& a, const Diagnostic& b) {
   return std::tie(a.file, a.pos.line, a.pos.column) < std::tie(b.file, b.pos.line, b.pos.column);
 }
 
@@ -124,7 +124,7 @@ tl::expected<ImportedMachine, std::vector<Diagnostic>> MachineDraft::finish(
           fail(error.code, place->second, std::move(error.message));
       }
   if (!errors_.empty()) {
-    std::stable_sort(errors_.begin(), errors_.end(), earlier);
+    std::stable_sort(errors_.begin(), errors_.end(), stands_before);
     return tl::make_unexpected(std::move(errors_));
   }
   if (!left_.empty())
@@ -155,9 +155,9 @@ std::optional<double> setting_number(std::string_view text) {
 }
 
 std::string_view trimmed_setting(std::string_view text) {
-  const auto first = text.find_first_not_of(kBlanks);
+  const auto first = text.find_first_not_of(kSettingBlanks);
   if (first == text.npos) return text.substr(text.size());
-  return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+  return text.substr(first, text.find_last_not_of(kSettingBlanks) + 1 - first);
 }
 
 std::vector<std::string> setting_lines(std::string_view text) {

@@ -19,7 +19,7 @@ constexpr NeededKey kNeeded[] = {
     {MachineCodeAct::output, "value"},
 };
 
-std::string table_of(int number) { return "mcode." + std::to_string(number); }
+std::string mcode_table(int number) { return "mcode." + std::to_string(number); }
 
 class Checks {
  public:
@@ -40,7 +40,7 @@ class Checks {
   }
 
   void check(int number, const MachineCode& code) {
-    const std::string table = table_of(number);
+    const std::string table = mcode_table(number);
     const std::string act = table + ".do = '" + std::string(name(code.act)) + "'";
     for (const NeededKey& needed : kNeeded) {
       const std::string key = table + '.' + std::string(needed.name);

@@ -3,19 +3,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <iterator>
 
 #include "hal/files/number.hpp"
 #include "hal/machine/device_value.hpp"
+#include "hal/machine/toml_text.hpp"
 #include "motion/core/spelling.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr double kLongest = 1e9;  // s, as of G04
-constexpr double kLargest = 1e9;  // values of outputs and inputs
+constexpr double kLongestTime = 1e9;  // s, as of G04
+constexpr double kLargest = 1e9;      // values of outputs and inputs
 
 MachineCode& m_code(Machine& machine, const std::string& of) {
   return machine.m_codes[std::stoi(of)];
@@ -36,12 +36,12 @@ using Of = const std::string&;
 using GivenKey = const FileValue&;
 
 // clang-format off
-constexpr DeviceKey kKeys[] = {
+constexpr DeviceKey kDeviceKeys[] = {
     {"mcode", "do", "'ignore', 'stop', 'dwell', 'spindle', 'coolant', 'output'", "what the M code does", "",
      [](Machine& m, Of of, GivenKey v) { return take_word(m_code(m, of).act, v, kMachineCodeActs); },
      [](const Machine& m, Of of) { return word_text(m_code(m, of).act, kMachineCodeActs); }},
     {"mcode", "seconds", "at least 0 and at most 1e+09", "time of a dwell", "s",
-     [](Machine& m, Of of, GivenKey v) { return take_number(m_code(m, of).seconds, v, 0, kLongest); },
+     [](Machine& m, Of of, GivenKey v) { return take_number(m_code(m, of).seconds, v, 0, kLongestTime); },
      [](const Machine& m, Of of) { return number_text(m_code(m, of).seconds); }},
     {"mcode", "direction", "'cw', 'ccw', 'off'", "of the spindle: as M03, M04, M05, with the S in force", "",
      [](Machine& m, Of of, GivenKey v) { return take_word(m_code(m, of).direction, v, kSpindleTurns); },
@@ -82,20 +82,12 @@ constexpr DeviceKey kKeys[] = {
      [](Machine& m, Of of, GivenKey v) { return take_numbers(input(m, of).values, v, -kLargest, kLargest); },
      [](const Machine& m, Of of) { return numbers_text(input(m, of).values); }},
     {"input", "after_s", "an array of as many numbers, at least 0, or of none", "how long after the M66 begins the value comes; []: at once", "s",
-     [](Machine& m, Of of, GivenKey v) { return take_numbers(input(m, of).after, v, 0, kLongest); },
+     [](Machine& m, Of of, GivenKey v) { return take_numbers(input(m, of).after, v, 0, kLongestTime); },
      [](const Machine& m, Of of) { return numbers_text(input(m, of).after); }},
 };
 // clang-format on
 
-constexpr std::array<std::string_view, 3> kTables{"mcode", "output", "input"};
-
-std::vector<std::string> split(std::string_view path) {
-  std::vector<std::string> parts;
-  for (std::size_t dot; (dot = path.find('.')) != path.npos; path.remove_prefix(dot + 1))
-    parts.emplace_back(path.substr(0, dot));
-  parts.emplace_back(path);
-  return parts;
-}
+constexpr std::array<std::string_view, 3> kDeviceTables{"mcode", "output", "input"};
 
 bool is_m_number(std::string_view text) {
   int number = 0;
@@ -105,18 +97,11 @@ bool is_m_number(std::string_view text) {
   return plain && number >= 0 && number <= kLastMachineCode;
 }
 
-/// What TOML takes without quotes.
-bool is_bare(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return c < 0x80 && (std::isalnum(c) != 0 || c == '_' || c == '-');
-  });
-}
-
-const DeviceKey* find(std::string_view table, std::string_view name) {
-  const auto* found = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const DeviceKey& key) {
-    return key.table == table && key.name == name;
-  });
-  return found == std::end(kKeys) ? nullptr : found;
+const DeviceKey* find_device_key(std::string_view table, std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(kDeviceKeys), std::end(kDeviceKeys),
+                   [&](const DeviceKey& key) { return key.table == table && key.name == name; });
+  return found == std::end(kDeviceKeys) ? nullptr : found;
 }
 
 /// Whether a value of an M code goes with what it does.
@@ -142,32 +127,34 @@ bool matters(const DeviceKey& key, const MachineCode& code) {
 
 }  // namespace
 
-std::span<const DeviceKey> device_keys() noexcept { return kKeys; }
+std::span<const DeviceKey> device_keys() noexcept { return kDeviceKeys; }
 
 bool is_device_path(std::string_view path) noexcept {
-  return std::any_of(kTables.begin(), kTables.end(), [&](std::string_view table) {
+  return std::any_of(kDeviceTables.begin(), kDeviceTables.end(), [&](std::string_view table) {
     return path.starts_with(table) && (path.size() == table.size() || path[table.size()] == '.');
   });
 }
 
 std::optional<DevicePath> device_path(std::string_view path) {
-  const auto parts = split(path);
+  const auto parts = path_parts(path);
   constexpr std::size_t kMostParts = 3;
   if (!is_device_path(path) || parts.size() > kMostParts) return std::nullopt;
-  DevicePath found{parts[0], parts.size() > 1 ? parts[1] : "", parts.size() > 2 ? parts[2] : ""};
-  if (parts.size() > 1 && !(found.table == "mcode" ? is_m_number(found.of) : is_bare(found.of)))
+  const auto part = [&](std::size_t i) { return std::string(i < parts.size() ? parts[i] : ""); };
+  DevicePath found{part(0), part(1), part(2)};
+  if (parts.size() > 1 && !(found.table == "mcode" ? is_m_number(found.of) : is_bare_key(found.of)))
     return std::nullopt;
-  if (parts.size() > 2 && find(found.table, found.key) == nullptr) return std::nullopt;
+  if (parts.size() > 2 && find_device_key(found.table, found.key) == nullptr) return std::nullopt;
   return found;
 }
 
 std::string nearest_device_key(std::string_view path) {
-  const auto parts = split(path);
+  const auto parts = path_parts(path);
   if (parts.size() != 3) return {};
   std::vector<std::string> all;
-  for (const DeviceKey& key : kKeys)
+  for (const DeviceKey& key : kDeviceKeys)
     if (key.table == parts[0])
-      all.push_back(parts[0] + '.' + parts[1] + '.' + std::string(key.name));
+      all.push_back(std::string(key.table) + '.' + std::string(parts[1]) + '.' +
+                    std::string(key.name));
   return nearest_name(path, std::vector<std::string_view>(all.begin(), all.end()));
 }
 
@@ -179,16 +166,16 @@ Status make_device(const DevicePath& path, Machine& machine) {
   } else {
     const int number = std::stoi(path.of);
     if (is_own_m_code(number))
-      return device_failure(Code::SC7023,
-                            (number < 10 ? "M0" : "M") + path.of +
-                                " is a code of softcnc itself, which a machine cannot define");
+      return value_failure(Code::SC7023,
+                           (number < 10 ? "M0" : "M") + path.of +
+                               " is a code of softcnc itself, which a machine cannot define");
     machine.m_codes.try_emplace(number);
   }
   return {};
 }
 
 Status assign_device(const DevicePath& path, const FileValue& value, Machine& machine) {
-  auto stored = find(path.table, path.key)->store(machine, path.of, value);
+  auto stored = find_device_key(path.table, path.key)->store(machine, path.of, value);
   if (!stored)
     stored.error().message =
         path.table + '.' + path.of + '.' + path.key + ' ' + stored.error().message;
@@ -202,11 +189,11 @@ std::vector<DeviceValue> device_values(const Machine& machine) {
                       key.spell(machine, of), &key});
   };
   const auto add_all = [&](std::string_view table, const std::string& of) {
-    for (const DeviceKey& key : kKeys)
+    for (const DeviceKey& key : kDeviceKeys)
       if (key.table == table) add(key, of);
   };
   for (const auto& [number, code] : machine.m_codes)
-    for (const DeviceKey& key : kKeys)
+    for (const DeviceKey& key : kDeviceKeys)
       if (key.table == "mcode" && matters(key, code)) add(key, std::to_string(number));
   for (const auto& [name, port] : machine.outputs) add_all("output", name);
   for (const auto& [name, port] : machine.inputs) add_all("input", name);
@@ -219,7 +206,7 @@ std::string device_key_table() {
   machine.outputs["o"];
   machine.inputs["i"];
   std::string text = "| key | default | takes | meaning |\n|---|---|---|---|\n";
-  for (const DeviceKey& key : kKeys) {
+  for (const DeviceKey& key : kDeviceKeys) {
     const std::string of = key.table == "mcode" ? "31" : key.table == "output" ? "o" : "i";
     text += "| `" + std::string(key.table) + ".*." + std::string(key.name) + "` | `" +
             key.spell(machine, of) + "` | " + std::string(key.takes) + " | " +

@@ -12,20 +12,9 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double kLastPort = 999;
-constexpr std::size_t kMostEntries = 10'000;  // of the table of an input
-
-std::string list(std::span<const std::string_view> words) {
-  std::string text;
-  for (const auto word : words)
-    if (!word.empty()) text += (text.empty() ? "'" : ", '") + std::string(word) + "'";
-  return text;
-}
+constexpr std::size_t kMostNumbers = 10'000;  // of the table of an input
 
 }  // namespace
-
-Status device_failure(Code code, std::string message) {
-  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
-}
 
 Status take_number(double& place, const FileValue& value, double low, double high) {
   double given = 0;
@@ -34,17 +23,17 @@ Status take_number(double& place, const FileValue& value, double low, double hig
   else if (const auto* whole = std::get_if<std::int64_t>(&value))
     given = static_cast<double>(*whole);
   else
-    return device_failure(Code::SC7004, "takes a number");
+    return value_failure(Code::SC7004, "takes a number");
   if (!(given >= low && given <= high))
-    return device_failure(Code::SC7005, "must be at least " + number_text(low) + " and at most " +
-                                            number_text(high) + ", not " + number_text(given));
+    return value_failure(Code::SC7005, "must be at least " + number_text(low) + " and at most " +
+                                           number_text(high) + ", not " + number_text(given));
   place = given + 0.0;
   return {};
 }
 
 Status take_port_number(int& place, const FileValue& value) {
   if (!std::holds_alternative<std::int64_t>(value))
-    return device_failure(Code::SC7004, "takes an integer");
+    return value_failure(Code::SC7004, "takes an integer");
   double number = 0;
   auto taken = take_number(number, value, 0, kLastPort);
   if (taken) place = static_cast<int>(number);
@@ -56,10 +45,10 @@ Result<std::size_t> take_index(const FileValue& value, std::span<const std::stri
     return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
   };
   const auto* word = std::get_if<std::string>(&value);
-  if (word == nullptr) return fail(Code::SC7004, "takes one of " + list(words));
+  if (word == nullptr) return fail(Code::SC7004, "takes one of " + quoted_words(words));
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found == words.end() || word->empty())
-    return fail(Code::SC7006, "must be one of " + list(words) + ", not '" + *word + "'" +
+    return fail(Code::SC7006, "must be one of " + quoted_words(words) + ", not '" + *word + "'" +
                                   did_you_mean(nearest_name(*word, words)));
   return static_cast<std::size_t>(found - words.begin());
 }
@@ -70,20 +59,20 @@ Status take_output_name(std::string& place, const FileValue& value) {
   else if (const auto* number = std::get_if<std::int64_t>(&value))
     place = std::to_string(*number);
   else
-    return device_failure(Code::SC7004, "takes the name of an output or its number");
+    return value_failure(Code::SC7004, "takes the name of an output or its number");
   return {};
 }
 
 Status take_letters(std::string& place, const FileValue& value) {
   constexpr std::string_view kTaken = "FGMNOSTXYZ";
   const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return device_failure(Code::SC7004, "takes a string of letters");
+  if (text == nullptr) return value_failure(Code::SC7004, "takes a string of letters");
   std::string letters;
   for (const char c : *text) {
     const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     if (letter < 'A' || letter > 'Z' || kTaken.find(letter) != kTaken.npos)
-      return device_failure(Code::SC7027,
-                            "takes letters other than F G M N O S T X Y Z, not '" + *text + "'");
+      return value_failure(Code::SC7027,
+                           "takes letters other than F G M N O S T X Y Z, not '" + *text + "'");
     if (letters.find(letter) == letters.npos) letters += letter;
   }
   place = letters;
@@ -92,10 +81,10 @@ Status take_letters(std::string& place, const FileValue& value) {
 
 Status take_numbers(std::vector<double>& place, const FileValue& value, double low, double high) {
   const auto* given = std::get_if<std::vector<double>>(&value);
-  if (given == nullptr) return device_failure(Code::SC7004, "takes an array of numbers");
-  if (given->size() > kMostEntries)
-    return device_failure(Code::SC7027,
-                          "has more than " + std::to_string(kMostEntries) + " entries");
+  if (given == nullptr) return value_failure(Code::SC7004, "takes an array of numbers");
+  if (given->size() > kMostNumbers)
+    return value_failure(Code::SC7027,
+                         "has more than " + std::to_string(kMostNumbers) + " entries");
   std::vector<double> numbers;
   for (const double number : *given)
     if (auto taken = take_number(numbers.emplace_back(), number, low, high); !taken) return taken;
@@ -109,7 +98,7 @@ Status take_lines(std::vector<double>& place, const FileValue& value) {
   if (auto taken = take_numbers(lines, value, 1, kLastLine); !taken) return taken;
   const auto is_whole = [](double line) { return line == std::floor(line); };
   if (!std::all_of(lines.begin(), lines.end(), is_whole))
-    return device_failure(Code::SC7027, "takes the numbers of lines, which are whole");
+    return value_failure(Code::SC7027, "takes the numbers of lines, which are whole");
   place = std::move(lines);
   return {};
 }

@@ -14,9 +14,6 @@
 
 namespace softcnc::hal {
 
-/// Returns a failure whose place is left to the caller.
-Status device_failure(Code code, std::string message);
-
 // Each of these stores a value, or returns SC7004, SC7005, SC7006 or SC7027 with what the key
 // takes; the caller puts the name of the key before the message.
 

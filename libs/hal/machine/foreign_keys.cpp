@@ -11,7 +11,6 @@
 namespace softcnc::hal {
 namespace {
 
-double same(double value) { return value; }
 double um_from_steps_per_mm(double steps) { return 1000 / steps; }
 double thousandfold(double value) { return 1000 * value; }
 double per_min_from_per_s(double value) { return 60 * value; }
@@ -45,24 +44,24 @@ const ForeignKey kForeignKeys[] = {
       "teeth of the pulley times pitch of the belt in um over the steps per turn (20 teeth of 2 mm "
       "at 3200 steps: 12.5)"}},
     {{"max_rate", "max_rate_mm_per_min", "max_rate_mm_min"},
-     {"axis.*.velocity_mm_min", "mm/min", same, "in mm/min"}},
+     {"axis.*.velocity_mm_min", "mm/min", unconverted, "in mm/min"}},
     {{"max_velocity", "max_feedrate", "velocity_mm_s", "max_velocity_mm_s", "max_speed_mm_s"},
      {"axis.*.velocity_mm_min", "mm/s", per_min_from_per_s, "60 times the mm/s"}},
     {{"max_acceleration", "acceleration_mm_per_sec2"},
-     {"axis.*.acceleration_mm_s2", "mm/s2", same, "in mm/s2"}},
+     {"axis.*.acceleration_mm_s2", "mm/s2", unconverted, "in mm/s2"}},
     {{"max_travel", "max_travel_mm", "travel", "travel_mm"},
      {"axis.*.min_mm and axis.*.max_mm", "", nullptr,
       "the ends of the travel in machine coordinates"}},
-    {{"min_limit", "soft_limit_min"}, {"axis.*.min_mm", "mm", same, "in mm"}},
-    {{"max_limit", "soft_limit_max"}, {"axis.*.max_mm", "mm", same, "in mm"}},
+    {{"min_limit", "soft_limit_min"}, {"axis.*.min_mm", "mm", unconverted, "in mm"}},
+    {{"max_limit", "soft_limit_max"}, {"axis.*.max_mm", "mm", unconverted, "in mm"}},
     {{"junction_deviation", "junction_deviation_mm"},
      {"control.corner_tolerance_um", "mm", thousandfold, "in um"}},
     {{"arc_tolerance", "arc_tolerance_mm"},
      {"control.chord_tolerance_um", "mm", thousandfold, "in um"}},
     {{"max_spindle_speed", "max_forward_velocity"},
-     {"spindle.max_rpm", "turns per minute", same, "in turns per minute"}},
+     {"spindle.max_rpm", "turns per minute", unconverted, "in turns per minute"}},
     {{"min_spindle_speed", "min_forward_velocity"},
-     {"spindle.min_rpm", "turns per minute", same, "in turns per minute"}},
+     {"spindle.min_rpm", "turns per minute", unconverted, "in turns per minute"}},
 };
 
 /// In lower case, with '_' between words.
@@ -75,7 +74,7 @@ std::string plain(std::string_view name) {
   return text;
 }
 
-const ForeignKey* find(std::string_view name) {
+const ForeignKey* find_foreign_key(std::string_view name) {
   const auto found =
       std::find_if(std::begin(kForeignKeys), std::end(kForeignKeys), [&](const ForeignKey& key) {
         return std::find(key.names.begin(), key.names.end(), name) != key.names.end();
@@ -84,7 +83,7 @@ const ForeignKey* find(std::string_view name) {
 }
 
 /// The axis letter among the parts before the last; '*' where there is none.
-char axis_of(std::string_view path) {
+char axis_letter_in(std::string_view path) {
   for (std::size_t at = 0; at < path.size();) {
     const std::size_t end = std::min(path.find('.', at), path.size());
     if (end < path.size() && end == at + 1) {
@@ -96,21 +95,16 @@ char axis_of(std::string_view path) {
   return '*';
 }
 
-std::optional<double> as_number(const FileValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string counterpart_of(std::string_view path, const FileValue& value) {
   const auto dot = path.rfind('.');
-  const ForeignKey* foreign = find(plain(dot == path.npos ? path : path.substr(dot + 1)));
+  const ForeignKey* foreign =
+      find_foreign_key(plain(dot == path.npos ? path : path.substr(dot + 1)));
   if (!foreign) return {};
   const Counterpart& is = foreign->is;
   std::string key(is.key);
-  std::replace(key.begin(), key.end(), '*', axis_of(path));
+  std::replace(key.begin(), key.end(), '*', axis_letter_in(path));
   const auto number = is.convert ? as_number(value) : std::nullopt;
   const double converted = number ? is.convert(*number) : 0;
   if (!number || !std::isfinite(converted))

@@ -59,7 +59,7 @@ std::filesystem::path real_path(const std::string& path) {
 }
 
 /// Whether a path is a folder or lies in it.
-bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+bool is_in_folder(const std::filesystem::path& path, const std::filesystem::path& folder) {
   const auto differ = std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
   return differ.second == folder.end();
 }
@@ -73,7 +73,7 @@ void confine_path(LoadedMachine& loaded, std::vector<Diagnostic>& changes) {
   const std::string base = reading.path_base.empty() ? "." : reading.path_base;
   const auto leads_out = [&](const std::string& folder) {
     const std::string path = folder.starts_with('/') ? folder : base + '/' + folder;
-    return !is_within(real_path(path), real_path(base));
+    return !is_in_folder(real_path(path), real_path(base));
   };
   const auto first = std::find_if(reading.path.begin(), reading.path.end(), leads_out);
   if (first == reading.path.end()) return;

@@ -14,7 +14,6 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double same(double value) noexcept { return value; }
 constexpr double s_from_us(double us) noexcept { return us / 1e6; }
 constexpr double us_from_s(double s) noexcept { return s * 1e6; }
 
@@ -30,7 +29,7 @@ constexpr double kLeastLength = 1e-3;      // mm, of tools and stocks
 constexpr double kLeastElectrical = 1e-6;  // V, A, V s/rad
 
 constexpr ValueRange at_least_0(double high) { return {0, high}; }
-constexpr ValueRange kPins{-17, 17};
+constexpr ValueRange kPinRange{-17, 17};
 constexpr ValueRange rate(double high) { return {kLeastRate, high}; }
 constexpr ValueRange rate_or_0(double high) { return {kLeastRate, high, true}; }
 constexpr ValueRange length_or_0(double high) { return {kLeastLength, high, true}; }
@@ -99,7 +98,7 @@ template <auto Member>
 constexpr auto step_port = in_part<&Machine::step_port, Member>;
 
 // clang-format off
-const MachineKey kKeys[] = {
+const MachineKey kMachineKeys[] = {
     {"name", "", "name of the machine in reports; absent: the name of the file",
      TextKey{machine_name}},
 
@@ -132,24 +131,24 @@ const MachineKey kKeys[] = {
     {"limits.feed_mm_min", "mm/min", "limit of the speed of cutting moves along the path; 0, or absent in a file that names its axes: only the axes limit it. Where softcnc makes the pulses, at most the speed that they allow the fastest axis, which is also the default",
      NumberKey{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, rate_or_0(kMostVelocity)}},
     {"limits.tangential_mm_s2", "mm/s^2", "limit of the acceleration along the path, also in rapids; 0: only the axes limit it",
-     NumberKey{in_part<&Machine::limits, &PathLimits::tangential>, same, same, rate_or_0(kMostAcceleration)}},
+     NumberKey{in_part<&Machine::limits, &PathLimits::tangential>, unconverted, unconverted, rate_or_0(kMostAcceleration)}},
     {"limits.normal_mm_s2", "mm/s^2", "limit of the acceleration across the path (speed squared over the radius of curvature), also in rapids; 0: only the axes limit it",
-     NumberKey{in_part<&Machine::limits, &PathLimits::normal>, same, same, rate_or_0(kMostAcceleration)}},
+     NumberKey{in_part<&Machine::limits, &PathLimits::normal>, unconverted, unconverted, rate_or_0(kMostAcceleration)}},
 
     {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",
      NumberKey{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, rate(kMostVelocity)}},
     {"axis.*.acceleration_mm_s2", "mm/s^2", "largest acceleration of the axis",
-     NumberKey{in_axis<&Axis::acceleration>, same, same, rate(kMostAcceleration)}},
+     NumberKey{in_axis<&Axis::acceleration>, unconverted, unconverted, rate(kMostAcceleration)}},
     {"axis.*.jerk_mm_s3", "mm/s^3", "largest jerk of the axis; 0: no limit",
-     NumberKey{in_axis<&Axis::jerk>, same, same, rate_or_0(kMostJerk)}},
+     NumberKey{in_axis<&Axis::jerk>, unconverted, unconverted, rate_or_0(kMostJerk)}},
     {"axis.*.min_mm", "mm", "lower end of travel, in machine coordinates",
-     NumberKey{in_axis<&Axis::min>, same, same, {-1e5, 1e5}}},
+     NumberKey{in_axis<&Axis::min>, unconverted, unconverted, {-1e5, 1e5}}},
     {"axis.*.max_mm", "mm", "upper end of travel, in machine coordinates",
-     NumberKey{in_axis<&Axis::max>, same, same, {-1e5, 1e5}}},
+     NumberKey{in_axis<&Axis::max>, unconverted, unconverted, {-1e5, 1e5}}},
     {"axis.*.blu_um", "um", "basic length unit: one command pulse",
      NumberKey{in_axis<&Axis::blu>, mm_from_um, um_from_mm, {0.001, 1e4}}},
     {"axis.*.screw_lead_mm", "mm", "travel per turn of the screw",
-     NumberKey{in_axis<&Axis::screw_lead>, same, same, {0.01, 1000}}},
+     NumberKey{in_axis<&Axis::screw_lead>, unconverted, unconverted, {0.01, 1000}}},
     {"axis.*.counts_per_rev", "", "encoder counts per turn of the motor, all edges",
      WholeKey{in_axis<&Axis::counts_per_rev>, {1, 1e8}}},
     {"axis.*.backlash_um", "um", "lost motion of the screw when it turns back: the commands of every backend make up for it, and the simulated table stays where it is while the screw turns through it",
@@ -158,43 +157,43 @@ const MachineKey kKeys[] = {
      PairsKey{in_screw<&Screw::pitch_table>, mm_from_um, um_from_mm, {-1e5, 1e5}, {-1e4, 1e4}, 100, 0.1}},
 
     {"axis.*.motor.resistance_ohm", "ohm", "terminal resistance of the armature circuit",
-     NumberKey{motor<&Motor::resistance>, same, same, {1e-3, 1e4}}},
+     NumberKey{motor<&Motor::resistance>, unconverted, unconverted, {1e-3, 1e4}}},
     {"axis.*.motor.inductance_mh", "mH", "inductance of the armature circuit",
      NumberKey{motor<&Motor::inductance>, s_from_ms, ms_from_s, {1e-3, 1e4}}},
     {"axis.*.motor.torque_constant_nm_a", "Nm/A", "torque per current",
-     NumberKey{motor<&Motor::torque_constant>, same, same, {1e-4, 1e3}}},
+     NumberKey{motor<&Motor::torque_constant>, unconverted, unconverted, {1e-4, 1e3}}},
     {"axis.*.motor.emf_constant_v_s_rad", "V s/rad", "back-EMF per speed",
-     NumberKey{motor<&Motor::emf_constant>, same, same, {1e-4, 1e3}}},
+     NumberKey{motor<&Motor::emf_constant>, unconverted, unconverted, {1e-4, 1e3}}},
     {"axis.*.motor.inertia_kg_m2", "kg m^2", "rotor, coupling, screw and table, reduced to the motor shaft",
-     NumberKey{motor<&Motor::inertia>, same, same, {1e-8, 1e3}}},
+     NumberKey{motor<&Motor::inertia>, unconverted, unconverted, {1e-8, 1e3}}},
     {"axis.*.motor.viscous_friction_nm_s_rad", "Nm s/rad", "friction torque per speed",
-     NumberKey{motor<&Motor::viscous_friction>, same, same, at_least_0(100)}},
+     NumberKey{motor<&Motor::viscous_friction>, unconverted, unconverted, at_least_0(100)}},
     {"axis.*.motor.coulomb_friction_nm", "Nm", "friction torque of any motion; a motor torque below it does not move the axis",
-     NumberKey{motor<&Motor::coulomb_friction>, same, same, at_least_0(1e4)}},
+     NumberKey{motor<&Motor::coulomb_friction>, unconverted, unconverted, at_least_0(1e4)}},
 
     {"axis.*.drive.kv_1_s", "1/s", "gain of the position loop: speed per following error",
-     NumberKey{drive<&Drive::kv>, same, same, rate(1000)}},
+     NumberKey{drive<&Drive::kv>, unconverted, unconverted, rate(1000)}},
     {"axis.*.drive.counter_bits", "", "width of the up/down counter, sign included; an overflow is an alarm",
      WholeKey{drive<&Drive::counter_bits>, {2, 32}}},
     {"axis.*.drive.fv_time_constant_ms", "ms", "lag of the frequency-to-voltage converter that measures the speed",
      NumberKey{drive<&Drive::fv_time_constant>, s_from_ms, ms_from_s, {0.01, 1000}}},
     {"axis.*.drive.velocity_gain_v_s_rad", "V s/rad", "motor voltage per speed error at the motor shaft",
-     NumberKey{drive<&Drive::velocity_gain>, same, same, electrical(1e4)}},
+     NumberKey{drive<&Drive::velocity_gain>, unconverted, unconverted, electrical(1e4)}},
     {"axis.*.drive.velocity_reset_1_s", "1/s", "reset rate of the integral part of the velocity loop; 0: proportional only",
-     NumberKey{drive<&Drive::velocity_reset>, same, same, rate_or_0(1e4)}},
+     NumberKey{drive<&Drive::velocity_reset>, unconverted, unconverted, rate_or_0(1e4)}},
     {"axis.*.drive.supply_v", "V", "largest motor voltage, either way",
-     NumberKey{drive<&Drive::supply_voltage>, same, same, electrical(1e4)}},
+     NumberKey{drive<&Drive::supply_voltage>, unconverted, unconverted, electrical(1e4)}},
     {"axis.*.drive.current_limit_a", "A", "largest motor current, either way",
-     NumberKey{drive<&Drive::current_limit>, same, same, electrical(1e4)}},
+     NumberKey{drive<&Drive::current_limit>, unconverted, unconverted, electrical(1e4)}},
     {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
      NumberKey{drive<&Drive::following_error>, mm_from_um, um_from_mm, {kLeastTolerance, 1e8}}},
     {"axis.*.drive.lost_pulse", "", "for tests: every n-th command pulse is lost before the counter, which is an alarm; 0: none is lost",
      WholeKey{drive<&Drive::lost_pulse>, {0, 1e9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
-     NumberKey{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, rate_or_0(1e6)}},
+     NumberKey{in_part<&Machine::spindle, &Spindle::min_rpm>, unconverted, unconverted, rate_or_0(1e6)}},
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
-     NumberKey{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, rate_or_0(1e6)}},
+     NumberKey{in_part<&Machine::spindle, &Spindle::max_rpm>, unconverted, unconverted, rate_or_0(1e6)}},
 
     {"surface.model", "", "model that keeps the roughness a program asks for: cutting edges simulated on the ball, or the formulas of paper 004",
      choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},
@@ -207,7 +206,7 @@ const MachineKey kKeys[] = {
     {"backend.stepdir.file", "", "file for the edges of the step and direction lines: .vcd or .edges; empty: none",
      TextKey{edge_file}},
     {"backend.stepdir.max_rate_hz", "Hz", "largest pulse rate of an axis, and of the clocks where interpolation is by pulses",
-     NumberKey{step_port<&StepPort::max_rate>, same, same, {1, 1e7}}},
+     NumberKey{step_port<&StepPort::max_rate>, unconverted, unconverted, {1, 1e7}}},
     {"backend.stepdir.step_length_ns", "ns", "time for which a step line stays high",
      NumberKey{step_port<&StepPort::step_length>, s_from_ns, ns_from_s, {1, 1e8}}},
     {"backend.stepdir.step_space_ns", "ns", "least time for which a step line stays low",
@@ -222,35 +221,35 @@ const MachineKey kKeys[] = {
     {"backend.parport.base_period_us", "us", "time between two writes to the port; a step takes at least two",
      NumberKey{port<&ParallelPort::base_period>, s_from_us, us_from_s, {1, 1e6}}},
     {"backend.parport.x_step_pin", "", "pin of the step line, 2 to 9; negative: inverted, 0: none. Timing is that of backend.stepdir",
-     WholeKey{step_pin<0>, kPins}},
+     WholeKey{step_pin<0>, kPinRange}},
     {"backend.parport.x_direction_pin", "", "pin of the direction line, likewise; high is negative direction",
-     WholeKey{direction_pin<0>, kPins}},
-    {"backend.parport.y_step_pin", "", "the same for Y", WholeKey{step_pin<1>, kPins}},
-    {"backend.parport.y_direction_pin", "", "the same for Y", WholeKey{direction_pin<1>, kPins}},
-    {"backend.parport.z_step_pin", "", "the same for Z", WholeKey{step_pin<2>, kPins}},
-    {"backend.parport.z_direction_pin", "", "the same for Z", WholeKey{direction_pin<2>, kPins}},
+     WholeKey{direction_pin<0>, kPinRange}},
+    {"backend.parport.y_step_pin", "", "the same for Y", WholeKey{step_pin<1>, kPinRange}},
+    {"backend.parport.y_direction_pin", "", "the same for Y", WholeKey{direction_pin<1>, kPinRange}},
+    {"backend.parport.z_step_pin", "", "the same for Z", WholeKey{step_pin<2>, kPinRange}},
+    {"backend.parport.z_direction_pin", "", "the same for Z", WholeKey{direction_pin<2>, kPinRange}},
     {"backend.parport.enable_pin", "", "output, high while the drives are enabled: 1 to 9, 14, 16, 17; negative: inverted, 0: none",
-     WholeKey{port<&ParallelPort::enable_pin>, kPins}},
+     WholeKey{port<&ParallelPort::enable_pin>, kPinRange}},
     {"backend.parport.charge_pump_pin", "", "output that toggles every base period as long as softcnc runs, numbered likewise",
-     WholeKey{port<&ParallelPort::charge_pump_pin>, kPins}},
+     WholeKey{port<&ParallelPort::charge_pump_pin>, kPinRange}},
     {"backend.parport.estop_pin", "", "input of the emergency stop, high is pressed: 10 to 13, 15; negative: low is pressed, 0: none",
-     WholeKey{port<&ParallelPort::estop_pin>, kPins}},
+     WholeKey{port<&ParallelPort::estop_pin>, kPinRange}},
     {"backend.parport.limit_pin", "", "input of the limit switches, likewise",
-     WholeKey{port<&ParallelPort::limit_pin>, kPins}},
+     WholeKey{port<&ParallelPort::limit_pin>, kPinRange}},
     {"backend.parport.fault_pin", "", "input of the drives' fault line, likewise",
-     WholeKey{port<&ParallelPort::fault_pin>, kPins}},
+     WholeKey{port<&ParallelPort::fault_pin>, kPinRange}},
 
     {"backend.hal-stream.file", "", "destination of the rows for LinuxCNC's halstreamer: a file, a FIFO, or - for standard output; empty: none",
      TextKey{stream_file}},
     {"backend.hal-stream.patience_s", "s", "timeout for a blocked pipe, after which the run ends",
-     NumberKey{in_part<&Machine::hal_stream, &HalStream::patience>, same, same, {0.001, 1e6}}},
+     NumberKey{in_part<&Machine::hal_stream, &HalStream::patience>, unconverted, unconverted, {0.001, 1e6}}},
 
     {"stock.x_mm", "mm", "length of the stock along X; 0: the extent of the cuts and the tool radius around them",
-     NumberKey{stock_size<0>, same, same, length_or_0(1e5)}},
+     NumberKey{stock_size<0>, unconverted, unconverted, length_or_0(1e5)}},
     {"stock.y_mm", "mm", "the same along Y",
-     NumberKey{stock_size<1>, same, same, length_or_0(1e5)}},
+     NumberKey{stock_size<1>, unconverted, unconverted, length_or_0(1e5)}},
     {"stock.z_mm", "mm", "height of the stock above its origin; 0: up to the highest cut and the tool radius above it",
-     NumberKey{stock_size<2>, same, same, length_or_0(1e5)}},
+     NumberKey{stock_size<2>, unconverted, unconverted, length_or_0(1e5)}},
     {"stock.origin_mm", "mm", "X, Y and Z of the corner of the stock with the smallest coordinates, in machine coordinates; "
      "[]: where the program cuts, less the tool radius",
      PointKey{stock_origin, {-1e5, 1e5}}},
@@ -271,19 +270,11 @@ const MachineKey kKeys[] = {
      ListKey{subprogram_folders}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
-     NumberKey{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},
+     NumberKey{in_tool<&Tool::radius>, unconverted, unconverted, length_or_0(1e4)}},
     {"tool.*.teeth", "", "number of teeth",
      WholeKey{in_tool<&Tool::teeth>, {0, 1000}}},
 };
 // clang-format on
-
-std::vector<std::string_view> split(std::string_view path) {
-  std::vector<std::string_view> parts;
-  for (std::size_t dot; (dot = path.find('.')) != path.npos; path.remove_prefix(dot + 1))
-    parts.push_back(path.substr(0, dot));
-  parts.push_back(path);
-  return parts;
-}
 
 constexpr std::string_view kPlant = "plant.";
 
@@ -299,7 +290,7 @@ Owner owner_of(std::string_view path) {
   return {plant ? own : path, plant};
 }
 
-std::optional<int> axis_of(std::string_view part) {
+std::optional<int> axis_index_of(std::string_view part) {
   if (part.size() != 1 || part[0] < 'a') return std::nullopt;
   const int axis = axis_index(part[0]);
   return axis < 0 ? std::nullopt : std::optional(axis);
@@ -320,7 +311,7 @@ std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (pattern[i] == parts[i]) continue;
     if (pattern[i] != "*") return std::nullopt;
-    const auto found = pattern[0] == "axis" ? axis_of(parts[i]) : tool_of(parts[i]);
+    const auto found = pattern[0] == "axis" ? axis_index_of(parts[i]) : tool_of(parts[i]);
     if (!found) return std::nullopt;
     index = *found;
   }
@@ -329,19 +320,19 @@ std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
 
 /// The axis or tool that `path` names where `key` has its '*', otherwise the first.
 int index_like(std::string_view path, const MachineKey& key) {
-  const auto parts = split(path);
+  const auto parts = path_parts(path);
   const bool axis = is_axis_key(key);
-  if (parts.size() > 1 && parts[0] == split(key.name)[0])
-    if (const auto index = axis ? axis_of(parts[1]) : tool_of(parts[1])) return *index;
+  if (parts.size() > 1 && parts[0] == path_parts(key.name)[0])
+    if (const auto index = axis ? axis_index_of(parts[1]) : tool_of(parts[1])) return *index;
   return axis ? 0 : 1;
 }
 
 /// The known key, cut off after `depth` parts, that is most like `path`; empty if none is like it.
 std::string nearest(std::string_view path, std::size_t depth) {
   std::vector<std::string> all;
-  for (const MachineKey& key : kKeys) {
+  for (const MachineKey& key : kMachineKeys) {
     std::string known = path_of({&key, index_like(path, key)});
-    const auto parts = split(known);
+    const auto parts = path_parts(known);
     if (depth < parts.size())
       known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
     all.push_back(std::move(known));
@@ -351,7 +342,15 @@ std::string nearest(std::string_view path, std::size_t depth) {
 
 }  // namespace
 
-std::span<const MachineKey> machine_keys() noexcept { return kKeys; }
+std::vector<std::string_view> path_parts(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t dot; (dot = path.find('.')) != path.npos; path.remove_prefix(dot + 1))
+    parts.push_back(path.substr(0, dot));
+  parts.push_back(path);
+  return parts;
+}
+
+std::span<const MachineKey> machine_keys() noexcept { return kMachineKeys; }
 
 bool is_axis_key(const MachineKey& key) noexcept { return key.name.starts_with("axis."); }
 bool is_tool_key(const MachineKey& key) noexcept { return key.name.starts_with("tool."); }
@@ -367,9 +366,9 @@ const Axis& axis_at(const Machine& machine, int index) noexcept {
 
 std::optional<KeyRef> find_key(std::string_view path) {
   const auto [own_path, of_plant] = owner_of(path);
-  const auto parts = split(own_path);
-  for (const MachineKey& key : kKeys) {
-    const auto pattern = split(key.name);
+  const auto parts = path_parts(own_path);
+  for (const MachineKey& key : kMachineKeys) {
+    const auto pattern = path_parts(key.name);
     if (pattern.size() != parts.size()) continue;
     if (const auto index = match_prefix(parts, pattern))
       return KeyRef{&key, of_plant ? *index + kAxes : *index};
@@ -379,9 +378,9 @@ std::optional<KeyRef> find_key(std::string_view path) {
 
 bool is_section(std::string_view path) {
   if (path == kPlant.substr(0, kPlant.size() - 1)) return true;
-  const auto parts = split(owner_of(path).path);
-  return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const MachineKey& key) {
-    const auto pattern = split(key.name);
+  const auto parts = path_parts(owner_of(path).path);
+  return std::any_of(std::begin(kMachineKeys), std::end(kMachineKeys), [&](const MachineKey& key) {
+    const auto pattern = path_parts(key.name);
     return parts.size() < pattern.size() && match_prefix(parts, pattern);
   });
 }

@@ -19,6 +19,9 @@ struct ValueRange {
   bool or_0 = false;
 };
 
+/// The conversion of a value whose unit is the internal one.
+constexpr double unconverted(double value) noexcept { return value; }
+
 struct NumberKey {
   double& (*place)(Machine&, int index);
   double (*to_internal)(double);  // from the unit of the name
@@ -78,6 +81,9 @@ struct KeyRef {
   const MachineKey* key;
   int index = 0;
 };
+
+/// Returns the parts of a path, between its dots.
+std::vector<std::string_view> path_parts(std::string_view path);
 
 /// The key with this full name, as in "axis.x.blu_um".
 std::optional<KeyRef> find_key(std::string_view path);

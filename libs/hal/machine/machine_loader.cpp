@@ -40,7 +40,7 @@ bool earlier(const Diagnostic& a, const Diagnostic& b, const std::string& file) 
   return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
 }
 
-bool is_within(std::string_view path, std::string_view table) {
+bool is_in_table(std::string_view path, std::string_view table) {
   return path.size() > table.size() && path.starts_with(table) && path[table.size()] == '.';
 }
 
@@ -70,7 +70,7 @@ struct Setting {
   std::string_view key, value;
 };
 
-Setting split(std::string_view setting) {
+Setting split_setting(std::string_view setting) {
   const auto equals = setting.find('=');
   if (equals == setting.npos) return {trimmed(setting), setting.substr(setting.size())};
   return {trimmed(setting.substr(0, equals)), trimmed(setting.substr(equals + 1))};
@@ -139,7 +139,7 @@ void MachineLoader::take_all(const std::vector<TomlEntry>& entries, const TextLi
                              const std::string& name) {
   std::string_view refused_table;
   for (const TomlEntry& entry : entries) {
-    if (!refused_table.empty() && is_within(entry.path, refused_table)) continue;
+    if (!refused_table.empty() && is_in_table(entry.path, refused_table)) continue;
     const std::size_t before = errors_.size();
     if (before >= kMostErrors) return;
     take(entry, lines, name);
@@ -189,7 +189,7 @@ void MachineLoader::keep_named_axes(const std::vector<TomlEntry>& entries) {
 }
 
 void MachineLoader::set(const std::string& setting) {
-  const auto [key, value] = split(setting);
+  const auto [key, value] = split_setting(setting);
   const bool has_value = !value.empty() || (takes_text(key) && setting.find('=') != setting.npos);
   if (key.empty() || !has_value)
     return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");

@@ -12,12 +12,6 @@
 namespace softcnc::hal {
 namespace {
 
-Status failure(Code code, std::string message) {
-  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
-}
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
 struct TypeName {
   std::string_view operator()(double) const { return "a number"; }
   std::string_view operator()(std::int64_t) const { return "a number"; }
@@ -29,8 +23,8 @@ struct TypeName {
 };
 
 Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& value) {
-  return failure(Code::SC7004, path_of(ref) + " takes " + std::string(wanted) + ", not " +
-                                   std::string(std::visit(TypeName{}, value)));
+  return value_failure(Code::SC7004, path_of(ref) + " takes " + std::string(wanted) + ", not " +
+                                         std::string(std::visit(TypeName{}, value)));
 }
 
 std::string range_text(const ValueRange& range) {
@@ -41,14 +35,8 @@ std::string range_text(const ValueRange& range) {
 Status check(const KeyRef& ref, double value, const ValueRange& range) {
   const bool within = value >= range.low && value <= range.high;  // false for NaN
   if (within || (range.or_0 && value == 0)) return {};
-  return failure(Code::SC7005,
-                 path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
-}
-
-std::string list(std::span<const std::string_view> words) {
-  std::string text;
-  for (const auto word : words) text += (text.empty() ? "" : ", ") + quoted(word);
-  return text;
+  return value_failure(
+      Code::SC7005, path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
 }
 
 Status store(const NumberKey& number, const KeyRef& ref, const FileValue& value, Machine& machine) {
@@ -74,12 +62,12 @@ Status store(const WholeKey& whole, const KeyRef& ref, const FileValue& value, M
 
 Status store(const ChoiceKey& choice, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* word = std::get_if<std::string>(&value);
-  if (!word) return wrong_type(ref, "one of " + list(choice.words), value);
+  if (!word) return wrong_type(ref, "one of " + quoted_words(choice.words), value);
   const auto found = std::find(choice.words.begin(), choice.words.end(), *word);
   if (found == choice.words.end())
-    return failure(Code::SC7006, path_of(ref) + " must be one of " + list(choice.words) + ", not " +
-                                     quoted(*word) +
-                                     did_you_mean(nearest_name(*word, choice.words)));
+    return value_failure(Code::SC7006, path_of(ref) + " must be one of " +
+                                           quoted_words(choice.words) + ", not '" + *word + "'" +
+                                           did_you_mean(nearest_name(*word, choice.words)));
   choice.set(machine, static_cast<int>(found - choice.words.begin()));
   return {};
 }
@@ -112,16 +100,17 @@ const NumberRows* as_rows(const FileValue& value) {
 /// The pairs must describe a function that can be undone.
 Status check(const PairsKey& pairs, const KeyRef& ref, const std::vector<PitchPoint>& points) {
   if (points.size() > pairs.most)
-    return failure(Code::SC7052, path_of(ref) + " has " + std::to_string(points.size()) +
-                                     " pairs, more than " + std::to_string(pairs.most));
+    return value_failure(Code::SC7052, path_of(ref) + " has " + std::to_string(points.size()) +
+                                           " pairs, more than " + std::to_string(pairs.most));
   for (std::size_t i = 1; i < points.size(); ++i) {
     const PitchPoint &low = points[i - 1], &high = points[i];
     const std::string place = " at " + number_text(high.position) + " mm";
     if (!(high.position > low.position))
-      return failure(Code::SC7052, path_of(ref) + " does not ascend" + place);
+      return value_failure(Code::SC7052, path_of(ref) + " does not ascend" + place);
     if (std::abs(high.error - low.error) > pairs.steepest * (high.position - low.position))
-      return failure(Code::SC7052, path_of(ref) + " changes by more than " +
-                                       number_text(1e3 * pairs.steepest) + " um in a mm" + place);
+      return value_failure(Code::SC7052, path_of(ref) + " changes by more than " +
+                                             number_text(1e3 * pairs.steepest) + " um in a mm" +
+                                             place);
   }
   return {};
 }
@@ -151,7 +140,7 @@ Status store(const ListKey& list, const KeyRef& ref, const FileValue& value, Mac
   const auto* texts = std::get_if<std::vector<std::string>>(&value);
   if (!texts) return wrong_type(ref, "an array of strings", value);
   if (std::find(texts->begin(), texts->end(), "") != texts->end())
-    return failure(Code::SC7030, path_of(ref) + " names a folder by an empty string");
+    return value_failure(Code::SC7030, path_of(ref) + " names a folder by an empty string");
   list.place(machine, ref.index) = *texts;
   return {};
 }
@@ -161,7 +150,7 @@ struct Allowed {
   std::string operator()(const WholeKey& whole) const {
     return "integer, " + range_text(whole.range);
   }
-  std::string operator()(const ChoiceKey& choice) const { return list(choice.words); }
+  std::string operator()(const ChoiceKey& choice) const { return quoted_words(choice.words); }
   std::string operator()(const TextKey&) const { return "a string"; }
   std::string operator()(const ListKey&) const { return "an array of strings"; }
   std::string operator()(const PointKey& point) const {
@@ -210,6 +199,23 @@ struct Spell {
 };
 
 }  // namespace
+
+std::optional<double> as_number(const FileValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+std::string quoted_words(std::span<const std::string_view> words) {
+  std::string text;
+  for (const auto word : words)
+    if (!word.empty()) text += (text.empty() ? "'" : ", '") + std::string(word) + "'";
+  return text;
+}
+
+Status value_failure(Code code, std::string message) {
+  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
+}
 
 Status assign(const KeyRef& ref, const FileValue& value, Machine& machine) {
   return std::visit([&](const auto& kind) { return store(kind, ref, value, machine); },

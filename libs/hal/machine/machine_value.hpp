@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,6 +22,15 @@ struct OtherTomlValue {
 using NumberRows = std::vector<std::vector<double>>;
 using FileValue = std::variant<double, std::int64_t, std::string, std::vector<double>,
                                std::vector<std::string>, NumberRows, OtherTomlValue>;
+
+/// Returns a number, whole or not; nothing if the value is none.
+std::optional<double> as_number(const FileValue& value);
+
+/// Returns words in quotes, with commas between; an empty one cannot be given, and is left out.
+std::string quoted_words(std::span<const std::string_view> words);
+
+/// Returns an error whose place is left to the caller.
+Status value_failure(Code code, std::string message);
 
 /// The number of errors after which nothing more is reported of a machine or state file: each of
 /// them keeps its line, and a hostile file may have millions.

@@ -26,12 +26,10 @@ namespace {
 constexpr std::array<std::string_view, 2> kFurtherHomes{"g30_p3", "g30_p4"};
 constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
 
-constexpr double same(double value) noexcept { return value; }
-
 /// Where a number of the file has its place in a state.
 struct StateSlot {
   double* place;
-  double (*to_internal)(double) = same;
+  double (*to_internal)(double) = unconverted;
   double limit = kFarthest;  // either way, in the unit of the file
 };
 
@@ -56,10 +54,10 @@ std::optional<StateSlot> tool_slot(MachineState& state, int number, std::string_
 
 std::optional<StateSlot> parameter_slot(MachineState& state, std::string_view key) {
   if (const std::string name = global_name(key); !name.empty())
-    return StateSlot{&state.globals[name], same, std::numeric_limits<double>::max()};
+    return StateSlot{&state.globals[name], unconverted, std::numeric_limits<double>::max()};
   const auto number = number_of(key);
   if (!number || *number < kFirstParameter || *number > kLastParameter) return std::nullopt;
-  return StateSlot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
+  return StateSlot{&state.parameters[*number], unconverted, std::numeric_limits<double>::max()};
 }
 
 /// The place of G30 P3 and P4, which is known once the file names one of its axes.
@@ -92,18 +90,6 @@ bool is_table(std::string_view path) {
                                                     "g30",  "tool", "parameter"};
   return index_in(kTables, path) || index_in(kFurtherHomes, path) ||
          system_index(without(path, "work.")) || number_of(without(path, "tool."));
-}
-
-std::optional<double> as_number(const FileValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::nullopt;
-}
-
-std::string list(std::span<const std::string_view> words) {
-  std::string text;
-  for (const auto word : words) (text += text.empty() ? "'" : ", '").append(word) += '\'';
-  return text;
 }
 
 /// Collects what a file says, and all that is wrong with it, up to kMostErrors. In a file of
@@ -228,8 +214,9 @@ std::optional<int> StateReader::work_system(const TomlEntry& entry) {
   const auto index = given ? system_index(*given) : std::nullopt;
   if (!index)
     fail(given ? Code::SC7006 : Code::SC7004, entry.value_pos,
-         entry.path + " takes one of " + list(kWorkNames) + ", or '" + system_name(kWorkSystems) +
-             "' to '" + system_name(kWorkSystems + kFurtherSystems - 1) + "'");
+         entry.path + " takes one of " + quoted_words(kWorkNames) + ", or '" +
+             system_name(kWorkSystems) + "' to '" +
+             system_name(kWorkSystems + kFurtherSystems - 1) + "'");
   return index;
 }
 
@@ -239,7 +226,7 @@ std::optional<int> StateReader::word(const TomlEntry& entry,
   const auto index = given ? index_in(words, *given) : std::nullopt;
   if (!index)
     fail(given ? Code::SC7006 : Code::SC7004, entry.value_pos,
-         entry.path + " takes one of " + list(words));
+         entry.path + " takes one of " + quoted_words(words));
   return index;
 }
 
@@ -256,10 +243,8 @@ std::string axis_lines(const AxisVector& vector) {
   return text;
 }
 
-std::string quoted(std::string_view name) { return '"' + std::string(name) + '"'; }
-
 std::string work_text(const std::string& name, const WorkOffset& work) {
-  return section("work." + quoted(name)) + axis_lines(work.origin) +
+  return section("work." + toml_string(name)) + axis_lines(work.origin) +
          "rotation_deg = " + scaled_text(work.rotation, rad_from_deg, deg_from_rad) + '\n';
 }
 
@@ -284,8 +269,8 @@ StateOrErrors parse_state(const std::string& text, const std::string& name) {
 std::string state_toml(const MachineState& state) {
   std::string text = "# What programs have left on the machine. softcnc run --state writes it.\n";
   text += number_line("schema", kStateSchema);
-  text += "active = " + quoted(system_name(state.active)) + '\n';
-  text += "g92_in_force = " + quoted(kNoYes[state.shift_on ? 1 : 0]) + '\n';
+  text += "active = " + toml_string(system_name(state.active)) + '\n';
+  text += "g92_in_force = " + toml_string(kNoYes[state.shift_on ? 1 : 0]) + '\n';
   text += section("g92") + axis_lines(state.shift);
   text += section("g28") + axis_lines(state.home);
   text += section("g30") + axis_lines(state.second_home);

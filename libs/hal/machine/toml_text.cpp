@@ -13,7 +13,7 @@ bool is_control(char c) {
   return byte < 0x20 || byte == 0x7F;
 }
 
-bool is_bare(char c) {
+bool may_be_bare(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '-';
 }
@@ -34,9 +34,12 @@ std::string toml_string(std::string_view text) {
   return out + '"';
 }
 
+bool is_bare_key(std::string_view key) noexcept {
+  return !key.empty() && std::all_of(key.begin(), key.end(), may_be_bare);
+}
+
 std::string toml_key(std::string_view key) {
-  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), is_bare);
-  return bare ? std::string(key) : toml_string(key);
+  return is_bare_key(key) ? std::string(key) : toml_string(key);
 }
 
 std::string comment_text(std::string_view text) {

@@ -10,6 +10,9 @@ namespace softcnc::hal {
 /// Returns a text as a TOML basic string, in quotes.
 std::string toml_string(std::string_view text);
 
+/// Returns whether TOML takes a key without quotes.
+bool is_bare_key(std::string_view key) noexcept;
+
 /// Returns a key: as it is where TOML takes it so, otherwise in quotes.
 std::string toml_key(std::string_view key);
 

@@ -17,7 +17,7 @@ struct PinEntry {
   bool inverted;  // by the port itself
 };
 
-constexpr PinEntry kPins[] = {
+constexpr PinEntry kPinTable[] = {
     {1, Register::control, 0x01, true},  {2, Register::data, 0x01, false},
     {3, Register::data, 0x02, false},    {4, Register::data, 0x04, false},
     {5, Register::data, 0x08, false},    {6, Register::data, 0x10, false},
@@ -30,9 +30,9 @@ constexpr PinEntry kPins[] = {
 };
 
 const PinEntry* entry_of(int pin) noexcept {
-  const auto* entry = std::find_if(std::begin(kPins), std::end(kPins),
+  const auto* entry = std::find_if(std::begin(kPinTable), std::end(kPinTable),
                                    [&](const PinEntry& r) { return r.pin == std::abs(pin); });
-  return entry == std::end(kPins) ? nullptr : entry;
+  return entry == std::end(kPinTable) ? nullptr : entry;
 }
 
 bool is_of(int pin, Register where) noexcept {

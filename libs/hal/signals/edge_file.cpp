@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "hal/signals/edge_file.hpp"
 
+#include "hal/files/file_piece.hpp"
 #include "hal/signals/edge_format.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr std::size_t kHandOn = 1U << 16U;  // bytes
-constexpr unsigned kMore = 0x80;
-
 /// How VCD calls a line: one printable character.
-constexpr char vcd_name(unsigned line) noexcept { return static_cast<char>('!' + line / 2); }
+constexpr char vcd_name_of_line(unsigned line) noexcept {
+  return static_cast<char>('!' + line / 2);
+}
 
 class VcdFormat final : public EdgeFormat {
  public:
@@ -18,8 +18,9 @@ class VcdFormat final : public EdgeFormat {
     std::string text = "$timescale 1 ns $end\n$scope module softcnc $end\n";
     std::string zeros;
     for (unsigned line = 0; line < kLineNumbers; line += 2) {
-      text += std::string("$var wire 1 ") + vcd_name(line) + ' ' + line_name(line) + " $end\n";
-      zeros += std::string("0") + vcd_name(line) + '\n';
+      text +=
+          std::string("$var wire 1 ") + vcd_name_of_line(line) + ' ' + line_name(line) + " $end\n";
+      zeros += std::string("0") + vcd_name_of_line(line) + '\n';
     }
     return text + "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + zeros + "$end\n";
   }
@@ -28,7 +29,7 @@ class VcdFormat final : public EdgeFormat {
     if (edge.time != time_) bytes += '#' + std::to_string(edge.time) + '\n';
     time_ = edge.time;
     bytes += edge.high ? '1' : '0';
-    bytes += vcd_name(line_of(edge));
+    bytes += vcd_name_of_line(line_of(edge));
     bytes += '\n';
   }
 
@@ -52,7 +53,7 @@ class BinaryFormat final : public EdgeFormat {
   std::int64_t time_ = 0;
 };
 
-std::unique_ptr<EdgeFormat> format_of(std::string_view file) {
+std::unique_ptr<EdgeFormat> edge_format_of(std::string_view file) {
   if (file.ends_with(".vcd")) return std::make_unique<VcdFormat>();
   if (file.ends_with(".edges")) return std::make_unique<BinaryFormat>();
   return nullptr;
@@ -64,7 +65,7 @@ EdgeWriter::EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteS
     : format_(std::move(format)), out_(std::move(out)), bytes_(format_->head()) {}
 
 Result<EdgeWriter> EdgeWriter::open(const std::string& file) {
-  auto format = format_of(file);
+  auto format = edge_format_of(file);
   if (!format)
     return tl::make_unexpected(Diagnostic{
         .code = Code::SC6050, .message = "a list of edges ends in .vcd or .edges", .file = file});
@@ -80,7 +81,7 @@ EdgeWriter EdgeWriter::vcd(std::unique_ptr<ByteSink> out) {
 Alarm EdgeWriter::take(std::span<const SignalEdge> edges, std::int64_t /*until*/) noexcept {
   if (!ok()) return Alarm::port;
   for (const SignalEdge& edge : edges) format_->append(edge, bytes_);
-  if (bytes_.size() >= kHandOn) hand_on();
+  if (bytes_.size() >= kFilePiece) hand_on();
   return ok() ? Alarm::none : Alarm::port;
 }
 

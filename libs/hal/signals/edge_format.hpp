@@ -13,6 +13,9 @@ namespace softcnc::hal {
 
 inline constexpr std::string_view kBinaryHead = "edges 1\n";
 
+/// In a byte of a time: another one follows.
+inline constexpr unsigned kMore = 0x80;
+
 /// The number of a line: 4 axis + 2 for its direction.
 constexpr unsigned line_of(const SignalEdge& edge) noexcept {
   return 4U * edge.axis + (edge.wire == Wire::direction ? 2U : 0U);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kForm = "edges ";
 
-Status failure(std::string why) {
+Status edge_failure(std::string why) {
   return tl::make_unexpected(Diagnostic{.code = Code::SC6091, .message = std::move(why)});
 }
 
@@ -31,14 +31,14 @@ class BinaryReader final : public EdgeParser {
   }
 
   Status finish() override {
-    if (is_line_ || shift_ > 0) return failure("not whole: it ends within an edge");
+    if (is_line_ || shift_ > 0) return edge_failure("not whole: it ends within an edge");
     return {};
   }
 
  private:
   Status damaged() const {
-    return failure("damaged: byte " + std::to_string(bytes_) +
-                   (is_line_ ? " names no line" : " makes no time"));
+    return edge_failure("damaged: byte " + std::to_string(bytes_) +
+                        (is_line_ ? " names no line" : " makes no time"));
   }
 
   bool take_line(unsigned byte) {
@@ -50,7 +50,7 @@ class BinaryReader final : public EdgeParser {
 
   /// 7 bits of the time since the edge before.
   bool take_time(unsigned byte) {
-    constexpr unsigned kMore = 0x80, kBits = 7;
+    constexpr unsigned kBits = 7;
     if (shift_ > 56) return false;
     since_ |= static_cast<std::int64_t>(byte & (kMore - 1)) << shift_;
     shift_ += kBits;
@@ -84,17 +84,17 @@ Status EdgeReader::begin() {
     return form_->read(std::string_view(head_).substr(kBinaryHead.size()));
   }
   if (head_.starts_with(kForm))
-    return failure("a list of edges, but not of form 1, the only one this version reads");
+    return edge_failure("a list of edges, but not of form 1, the only one this version reads");
   const auto first = head_.find_first_not_of(" \t\r\n");
   if (first != head_.npos && head_[first] != '$')
-    return failure("neither a Value Change Dump nor a list that begins with 'edges 1'");
+    return edge_failure("neither a Value Change Dump nor a list that begins with 'edges 1'");
   form_ = std::make_unique<VcdReader>(visit_);
   return form_->read(head_);
 }
 
 Status EdgeReader::finish() {
   if (form_) return form_->finish();
-  if (head_.empty()) return failure("empty");
+  if (head_.empty()) return edge_failure("empty");
   if (auto begun = begin(); !begun) return begun;
   return form_->finish();
 }

@@ -8,10 +8,10 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
-constexpr std::size_t kShown = 160;          // bytes of a line
-constexpr std::size_t kLongest = 1U << 20U;  // bytes of a line: all of one is in memory
-constexpr std::size_t kMostWords = 100;      // of a definition
+constexpr std::string_view kVcdBlanks = " \t\r\n";
+constexpr std::size_t kShown = 160;                 // bytes of a line
+constexpr std::size_t kLongestVcdLine = 1U << 20U;  // bytes of a line: all of one is in memory
+constexpr std::size_t kMostWords = 100;             // of a definition
 
 struct Unit {
   std::string_view name;
@@ -40,7 +40,7 @@ std::optional<unsigned> line_called(std::string_view name) {
 }
 
 /// Of a long word the beginning.
-std::string quoted(std::string_view token) {
+std::string quoted_token(std::string_view token) {
   constexpr std::size_t kMost = 40;
   const bool is_long = token.size() > kMost;
   return "'" + std::string(token.substr(0, kMost)) + (is_long ? "...'" : "'");
@@ -54,13 +54,13 @@ Status VcdReader::read(std::string_view bytes) {
   text_ += bytes;
   for (;;) {
     pass_blanks();
-    const std::size_t end = text_.find_first_of(kBlanks, at_);
+    const std::size_t end = text_.find_first_of(kVcdBlanks, at_);
     if (end == text_.npos) break;
     const Token token = std::string_view(text_).substr(at_, end - at_);
     if (auto taken = take(token); !taken) return taken;
     at_ = end;
   }
-  return text_.size() - line_begin_ > kLongest ? too_long() : Status();
+  return text_.size() - line_begin_ > kLongestVcdLine ? too_long() : Status();
 }
 
 Status VcdReader::too_long() const {
@@ -71,7 +71,7 @@ Status VcdReader::too_long() const {
 }
 
 void VcdReader::pass_blanks() {
-  for (; at_ < text_.size() && kBlanks.find(text_[at_]) != kBlanks.npos; ++at_) {
+  for (; at_ < text_.size() && kVcdBlanks.find(text_[at_]) != kVcdBlanks.npos; ++at_) {
     if (text_[at_] != '\n') continue;
     ++line_number_;
     line_begin_ = at_ + 1;
@@ -110,14 +110,14 @@ Status VcdReader::take(Token token) {
   if (!within_.empty()) return take_part(token);
   if (!vector_.empty()) return take_vector(token);
   if (token[0] == '$') return take_keyword(token);
-  if (!defined_) return failure(token, quoted(token) + " among the definitions");
+  if (!defined_) return failure(token, quoted_token(token) + " among the definitions");
   return token[0] == '#' ? take_time(token) : take_level(token);
 }
 
 Status VcdReader::take_keyword(Token token) {
   constexpr std::string_view kDumps[] = {"$dumpvars", "$dumpall", "$dumpon", "$dumpoff"};
   if (std::find(std::begin(kDumps), std::end(kDumps), token) != std::end(kDumps)) {
-    if (!defined_) return failure(token, quoted(token) + " among the definitions");
+    if (!defined_) return failure(token, quoted_token(token) + " among the definitions");
     dumping_ = true;
   } else if (token == "$end") {
     if (!std::exchange(dumping_, false)) return failure(token, "an $end without a beginning");
@@ -161,8 +161,8 @@ Status VcdReader::end_timescale(Token token) {
     return known.name == std::string_view(text).substr(digits);
   });
   if (unit == std::end(kUnits) || !count || (*count != 1 && *count != 10 && *count != 100))
-    return failure(token,
-                   "$timescale takes 1, 10 or 100 s, ms, us, ns, ps or fs, not " + quoted(text));
+    return failure(
+        token, "$timescale takes 1, 10 or 100 s, ms, us, ns, ps or fs, not " + quoted_token(text));
   unit_ = unit->ns * *count;
   per_ns_ = unit->per_ns;
   return {};
@@ -185,7 +185,7 @@ Status VcdReader::take_time(Token token) {
   const auto units = whole(token.substr(1));
   std::int64_t ns = 0;
   if (!units || __builtin_mul_overflow(*units, unit_, &ns))
-    return failure(token, quoted(token) + " is not a time");
+    return failure(token, quoted_token(token) + " is not a time");
   time_ = per_ns_ == 1 ? ns : ns / per_ns_ + (ns % per_ns_ >= per_ns_ / 2 ? 1 : 0);
   return {};
 }
@@ -194,7 +194,7 @@ Status VcdReader::take_level(Token token) {
   constexpr std::string_view kLevels = "01xXzZ", kVectors = "bBrRsS";
   const bool is_vector = kVectors.find(token[0]) != kVectors.npos;
   if (token.size() == 1 || (!is_vector && kLevels.find(token[0]) == kLevels.npos))
-    return failure(token, quoted(token) + " is not a value of a variable");
+    return failure(token, quoted_token(token) + " is not a value of a variable");
   if (is_vector) vector_ = token;
   return is_vector ? Status() : set(token.substr(1), token[0], token);
 }

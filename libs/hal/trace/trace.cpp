@@ -34,7 +34,7 @@ bool no_regular_file(const std::string& file) {
   return file == "-" || (::stat(file.c_str(), &info) == 0 && !S_ISREG(info.st_mode));
 }
 
-const TraceFormat* format_of(std::string_view file) {
+const TraceFormat* trace_format_of(std::string_view file) {
   for (const TraceFormat& format : kFormats)
     if (file.ends_with(format.suffix)) return &format;
   return nullptr;
@@ -50,7 +50,7 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::open(const std::string& file,
   std::string_view name = file;
   const bool compressed = name.ends_with(kCompressed);
   if (compressed) name.remove_suffix(kCompressed.size());
-  const TraceFormat* format = format_of(name);
+  const TraceFormat* format = trace_format_of(name);
   if (!format && no_regular_file(file)) format = &kFormats[0];
   if (!format)
     return tl::make_unexpected(

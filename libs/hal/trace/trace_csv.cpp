@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "hal/files/axis_name.hpp"
+#include "hal/files/file_piece.hpp"
 #include "hal/files/number.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr std::size_t kBuffer = 1U << 16U;
 constexpr std::size_t kOwnColumns = 8;  // t_s to limit, and feed_mm_s
 
 /// The period in ms as a person would write it, unless that is another double.
@@ -55,7 +55,7 @@ CsvTrace::CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
   for (int axis = 0; axis < kAxes; ++axis)
     if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
   row_length_ = (kOwnColumns + axes_.size() + backend_columns.size()) * (kNumberLength + 1) + 1;
-  buffer_.resize(kBuffer + row_length_);
+  buffer_.resize(kFilePiece + row_length_);
   names(backend_columns);
   const auto written = out_->write(trace_comment(header));
   if (!written && !failure_) failure_ = written.error();

@@ -4,19 +4,18 @@
 #include <utility>
 
 #include "hal/backends/stream_rows.hpp"
+#include "hal/files/file_piece.hpp"
 #include "hal/signals/commands.hpp"
 
 namespace softcnc::hal {
 namespace {
-
-constexpr std::size_t kBuffer = 1U << 16U;  // bytes
 
 class HalTrace final : public TraceWriter {
  public:
   HalTrace(std::unique_ptr<ByteSink> out, const Machine& machine)
       : out_(std::move(out)),
         commands_(machine),
-        rows_(machine, kBuffer),
+        rows_(machine, kFilePiece),
         status_(out_->write(rows_.head())) {}
 
   void row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) noexcept override {
@@ -46,7 +45,7 @@ class HalTrace final : public TraceWriter {
   void send(const Setpoint& sent) noexcept {
     if (!ok()) return;
     rows_.add(sent);
-    if (rows_.bytes().size() >= kBuffer) flush();
+    if (rows_.bytes().size() >= kFilePiece) flush();
   }
 
   std::unique_ptr<ByteSink> out_;

@@ -17,8 +17,6 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr int kRows = 4096;  // in memory
-
 std::size_t longest_limit() {
   std::size_t longest = 0;
   for (int i = 0; i < kLimits; ++i) longest = std::max(longest, name(static_cast<Limit>(i)).size());
@@ -32,7 +30,7 @@ class NpzColumn {
   NpzColumn(std::string column_name, std::string type, std::size_t size)
       : name_(std::move(column_name)), type_(std::move(type)), size_(size) {
     const std::string head = head_of(0);
-    bytes_.reserve(head.size() + std::size_t{kRows} * size);
+    bytes_.reserve(head.size() + kNpzRows * size);
     for (const char c : head) add(c);
   }
 
@@ -141,7 +139,7 @@ void NpzTrace::row(const Setpoint& setpoint, std::span<const double> backend_val
   real(setpoint.feed);
   for (std::size_t i = 0; i < backend_values.size(); ++i)
     whole_[i] ? whole(static_cast<std::int64_t>(backend_values[i])) : real(backend_values[i]);
-  if (++rows_ % std::int64_t{kRows} == 0) hand_on();
+  if (++rows_ % std::int64_t{kNpzRows} == 0) hand_on();
 }
 
 void NpzTrace::hand_on() {

@@ -2,6 +2,7 @@
 // The trace as numpy reads it: a zip of arrays, one for each column of the CSV.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +10,8 @@
 #include "hal/trace/trace.hpp"
 
 namespace softcnc::hal {
+
+inline constexpr std::size_t kNpzRows = 4096;  // in memory, of writer and reader
 
 /// Returns a writer whose columns grow in temporary files without names. The comment of the zip
 /// holds what the comments of a CSV hold.

@@ -12,6 +12,7 @@
 #include "hal/files/compressed_file.hpp"
 #include "hal/files/npz_file.hpp"
 #include "hal/files/temporary_file.hpp"
+#include "hal/trace/trace_npz.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -20,7 +21,6 @@ static_assert(std::endian::native == std::endian::little, "arrays are read as th
 
 constexpr ZipPurpose kPurpose{"a trace", Code::SC6082};
 constexpr std::string_view kSuffix = ".npy";
-constexpr std::size_t kRows = 4096;  // in memory
 
 Status damaged(const std::string& file, std::string why) {
   return tl::make_unexpected(
@@ -184,7 +184,7 @@ Status NpzTraceReader::add(const std::string& column) {
 }
 
 Status NpzTraceReader::fill() {
-  const auto rows = std::min(static_cast<std::int64_t>(kRows), rows_ - row_);
+  const auto rows = std::min(static_cast<std::int64_t>(kNpzRows), rows_ - row_);
   for (NpzColumnReader& column : selected_)
     if (Status filled = column.fill(static_cast<std::size_t>(rows), file_); !filled) return filled;
   filled_ = row_ + rows;
@@ -200,7 +200,7 @@ Result<bool> NpzTraceReader::next() {
   }
   if (row_ == filled_)
     if (Status filled = fill(); !filled) return tl::make_unexpected(std::move(filled.error()));
-  const auto row = static_cast<std::size_t>(row_ % static_cast<std::int64_t>(kRows));
+  const auto row = static_cast<std::size_t>(row_ % static_cast<std::int64_t>(kNpzRows));
   ++row_;
   for (std::size_t i = 0; i < selected_.size(); ++i) {
     const NpzColumnReader& column = selected_[i];

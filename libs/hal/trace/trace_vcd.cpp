@@ -8,6 +8,7 @@
 
 #include "hal/backends/stepdir.hpp"
 #include "hal/files/axis_name.hpp"
+#include "hal/files/file_piece.hpp"
 #include "hal/files/number.hpp"
 #include "hal/ports/port_timing.hpp"
 #include "hal/signals/edge_file.hpp"
@@ -15,8 +16,6 @@
 
 namespace softcnc::hal {
 namespace {
-
-constexpr std::size_t kBuffer = 1U << 16U;  // bytes
 
 class EdgeTrace final : public TraceWriter {
  public:
@@ -38,7 +37,7 @@ class EdgeTrace final : public TraceWriter {
 };
 
 /// How VCD calls the variable of an axis.
-constexpr char vcd_name(int axis) noexcept { return static_cast<char>('!' + axis); }
+constexpr char vcd_name_of_axis(int axis) noexcept { return static_cast<char>('!' + axis); }
 
 class PositionTrace final : public TraceWriter {
  public:
@@ -68,7 +67,7 @@ class PositionTrace final : public TraceWriter {
 PositionTrace::PositionTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header,
                              const Machine& machine)
     : out_(std::move(out)), period_(ns_from_s(header.period)) {
-  text_.reserve(kBuffer + 16 * kNumberLength);
+  text_.reserve(kFilePiece + 16 * kNumberLength);
   comment("schema: softcnc-trace " + std::to_string(kTraceSchema));
   comment("program: " + header.program_hash);
   comment("machine: " + header.machine_hash);
@@ -76,7 +75,8 @@ PositionTrace::PositionTrace(std::unique_ptr<ByteSink> out, const TraceHeader& h
   for (int axis = 0; axis < kAxes; ++axis) {
     if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
     axes_.push_back(axis);
-    text_ += std::string("$var real 64 ") + vcd_name(axis) + ' ' + axis_name(axis) + "_mm $end\n";
+    text_ += std::string("$var real 64 ") + vcd_name_of_axis(axis) + ' ' + axis_name(axis) +
+             "_mm $end\n";
   }
   text_ += "$upscope $end\n$enddefinitions $end\n";
 }
@@ -94,7 +94,7 @@ void PositionTrace::row(const Setpoint& setpoint, std::span<const double>) noexc
     if (first || setpoint.position[axis] != last_[axis]) value(axis, setpoint.position[axis]);
   if (first) text_ += "$end\n";
   last_ = setpoint.position;
-  if (text_.size() >= kBuffer) flush();
+  if (text_.size() >= kFilePiece) flush();
 }
 
 void PositionTrace::instant(std::int64_t ns) noexcept {
@@ -111,7 +111,7 @@ void PositionTrace::value(int axis, double position) noexcept {
   text_ += 'r';
   text_.append(number, write_number(number, position));
   text_ += ' ';
-  text_ += vcd_name(axis);
+  text_ += vcd_name_of_axis(axis);
   text_ += '\n';
 }
 

@@ -8,7 +8,7 @@
 namespace softcnc::ipo {
 namespace {
 
-double square(double x) { return x * x; }
+double squared_gap(double a, double b) { return (a - b) * (a - b); }
 
 AxisVector between(const AxisVector& a, const AxisVector& b, double part) {
   return a + part * (b - a);
@@ -54,7 +54,7 @@ AxisVector ChordKnots::curvature_of_lines(std::size_t basis) const {
 void ChordKnots::shift(std::size_t basis) {
   const double* knot = knots_.data() + basis;
   const double squares =
-      square(knot[0] - knot[1]) + square(knot[1] - knot[2]) + square(knot[2] - knot[0]);
+      squared_gap(knot[0], knot[1]) + squared_gap(knot[1], knot[2]) + squared_gap(knot[2], knot[0]);
   const AxisVector ddq = 0.25 * (curvature_of_lines(basis - 1) + curvature_of_lines(basis + 1)) +
                          0.5 * curvature_of_lines(basis);
   bases_[basis].point = bases_[basis].middle - squares / 36 * ddq;

@@ -10,6 +10,8 @@
 
 namespace softcnc::ipr {
 
+inline constexpr double kFullTurn = 360;  // degrees
+
 /// A map of points, mm: a matrix, then a shift.
 struct AffineMap {
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();

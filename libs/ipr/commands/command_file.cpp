@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ipr/codes/transformation.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/state/nearness.hpp"
 #include "motion/core/units.hpp"
 #include "motion/geometry/spline.hpp"
 
@@ -16,8 +18,6 @@ namespace {
 
 using FieldKind = CommandField::Kind;
 
-constexpr double kShortest = 1e-9;   // mm: a shorter way is none
-constexpr double kFullTurn = 360;    // degrees
 constexpr double kLeastFeed = 1e-6;  // mm/min
 
 constexpr std::array kRows{
@@ -158,10 +158,10 @@ bool CommandFile::take_name(CommandField&& name) {
   if (head_.kind == FieldKind::end && numbers_.empty()) {
     head_ = std::move(name);
     const bool may_be_point = find_row(head_.name) == nullptr && stands_for_digit(head_);
-    if (spline_ && !may_be_point) leave_spline(quoted(head_.name) + " too early");
+    if (spline_ && !may_be_point) leave_spline(in_quotes(head_.name) + " too early");
     return is_known();
   }
-  report_stray(Code::SC1053, name, quoted(name.name) + " within a line; a command begins one");
+  report_stray(Code::SC1053, name, in_quotes(name.name) + " within a line; a command begins one");
   return false;
 }
 
@@ -181,7 +181,7 @@ bool CommandFile::is_known() {
   row_ = find_row(head_.name);
   if (row_ == nullptr)
     report(Code::SC1050, pos_of(head_),
-           quoted(head_.name) + " is no command; there are l, pcw, pccw, dcw, dcaw, s, t and f");
+           in_quotes(head_.name) + " is no command; there are l, pcw, pccw, dcw, dcaw, s, t and f");
   return row_ != nullptr;
 }
 
@@ -224,7 +224,7 @@ void CommandFile::act(CommandRow::Kind kind) {
 void CommandFile::line() {
   AxisVector step = step_at(0);
   if (numbers_.size() > 2) step.z() = number(2);
-  if (!has_axes(step) || step.lpNorm<Eigen::Infinity>() < kShortest) return;
+  if (!has_axes(step) || step.lpNorm<Eigen::Infinity>() < kShortestMove) return;
   if (is_near_enough(position_ + step, whole())) move(softcnc::Line(position_, position_ + step));
 }
 

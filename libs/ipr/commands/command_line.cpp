@@ -77,8 +77,8 @@ CommandField CommandLine::read_number_field() {
   if (written.size() < rest.size() && lower(rest[written.size()]) == 'e') {
     const std::size_t exponent = run_of(rest.substr(written.size() + 1), is_number_part);
     const std::string_view whole = rest.substr(0, written.size() + 1 + exponent);
-    return faulty_number(whole.size(),
-                         {Code::SC1006, quoted(whole) + " has an exponent; write the number out"});
+    return faulty_number(
+        whole.size(), {Code::SC1006, in_quotes(whole) + " has an exponent; write the number out"});
   }
   const Number number = read_number(written);
   if (number.error != NumberError::none)

@@ -9,8 +9,6 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 /// What a line may be, by the name it begins with and how many numbers follow.
 struct Shape {
   std::string name;

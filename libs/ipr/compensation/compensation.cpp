@@ -4,21 +4,17 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "ipr/compensation/corner.hpp"
 #include "ipr/compensation/entry.hpp"
 #include "ipr/compensation/gouge.hpp"
+#include "ipr/state/nearness.hpp"
 #include "ipr/text/number.hpp"
+#include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr double kSamePoint = 1e-9;  // mm
-constexpr double kShortest = 1e-6;   // mm: less of a move is none
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kMostWaiting = 10'000;
 
 bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
   if (!std::holds_alternative<softcnc::Line>(path)) return false;
@@ -80,7 +76,7 @@ void Compensation::wait(Block block, std::string_view text) {
 
 void Compensation::follow_move(Block block, std::string_view text) {
   const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
-  const bool broken = (from - programmed_).norm() > kShortest;
+  const bool broken = (from - programmed_).norm() > kLeastRemainder;
   programmed_ = to;
   if (stays_in_plane(path_of(block), axes_)) {
     if (held_) return wait(std::move(block), text);
@@ -207,7 +203,7 @@ void Compensation::move_to(const Block& like, const PlaneVector& to, double acro
   end[axes_.first] = to.x();
   end[axes_.second] = to.y();
   end[axes_.across] = across;
-  if ((end - tool_).norm() < kShortest) return;
+  if ((end - tool_).norm() < kLeastRemainder) return;
   ready_.push_back(like);
   std::get<Move>(ready_.back().what).path = softcnc::Line(tool_, end);
   tool_ = end;
@@ -216,7 +212,7 @@ void Compensation::move_to(const Block& like, const PlaneVector& to, double acro
 /// On an arc about the centre; `sweep` gives its direction and how often it goes round, rad.
 void Compensation::turn_to(const Block& like, const PlaneVector& to, double across,
                            const PlaneVector& center, double sweep) {
-  const bool closed = (to - in_plane(tool_, axes_)).norm() < kShortest;
+  const bool closed = (to - in_plane(tool_, axes_)).norm() < kLeastRemainder;
   if (closed && std::abs(sweep) < std::numbers::pi) return move_to(like, to, across);
   ArcSpec spec{tool_, tool_, tool_, mode_->plane, sweep > 0, 0};
   spec.center[axes_.first] = center.x();

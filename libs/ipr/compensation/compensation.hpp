@@ -2,6 +2,7 @@
 // Cutter compensation: moves along a contour become moves of the tool beside it.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
@@ -15,6 +16,9 @@
 #include "ipr/expressions/dialect_differences.hpp"
 
 namespace softcnc::ipr {
+
+/// So many blocks at most wait for the next move of a contour or of a corner.
+inline constexpr std::size_t kMostWaiting = 10'000;
 
 /// Turns what handlers emit into what the interpreter returns. It holds the last move of the
 /// contour, and what stands after it, until the next one shows where the move ends.

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kFlat = 1e-9;  // mm: an arc that rises less from its chord's line has no centre
 
 constexpr double kSameAngle = 1e-9;  // rad

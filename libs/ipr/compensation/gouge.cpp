@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "ipr/compensation/corner.hpp"
+#include "ipr/state/nearness.hpp"
 #include "ipr/text/number.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // mm
-constexpr double kShortest = 1e-6;   // mm: less of a move is none
-constexpr double kGrazing = 5e-3;    // mm: programs are rounded to less
+constexpr double kGrazing = 5e-3;  // mm: programs are rounded to less
 
 const Path& path_of(const OffsetMove& move) { return std::get<Move>(move.block.what).path; }
 
@@ -77,7 +76,7 @@ Gouge gouge_in_corner(double tool_radius) {
 
 std::optional<Gouge> gouge_between_corners(const OffsetMove& move, const Meeting& end,
                                            double tool_radius) {
-  if (move.cut + end.cut_before <= move.parallel.length() + kShortest) return std::nullopt;
+  if (move.cut + end.cut_before <= move.parallel.length() + kLeastRemainder) return std::nullopt;
   return too_large(Code::SC2147, tool_radius, "between the inside corners of this move");
 }
 

@@ -3,13 +3,13 @@
 #include "ipr/compensation/plane_curve.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr double kTouch = 1e-6;  // mm: what misses each other by less, touches
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Rad, from 0 to one turn, seen in the direction of the sweep. A hair before is a hair, not nearly
 /// a turn.

@@ -11,6 +11,8 @@
 
 namespace softcnc::ipr {
 
+inline constexpr double kLeastRemainder = 1e-6;  // mm: less of a move is none
+
 using PlaneVector = Eigen::Vector2d;  // mm, along the first and the second axis of the plane
 
 class PlaneCurve {

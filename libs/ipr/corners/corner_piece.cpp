@@ -9,13 +9,12 @@
 
 #include "ipr/text/number.hpp"
 #include "motion/core/diagnostic.hpp"
+#include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kStraightOn = std::numbers::pi / 180;  // rad: FANUC's one degree
-constexpr double kNothing = 1e-6;                       // mm: less of a move is none
 
 /// Where the piece meets a move, and how much it takes off it, as a part of the whole.
 struct CornerCut {
@@ -41,7 +40,7 @@ std::string lengths_of(const PlaneCurve& before, const PlaneCurve& after) {
 
 std::string why_no_rounding(const PlaneCurve& before, const PlaneCurve& after, double radius) {
   const double half = std::abs(turn_between(before, after)) / 2;
-  if (before.is_arc() || after.is_arc() || std::cos(half) < kNothing)
+  if (before.is_arc() || after.is_arc() || std::cos(half) < kLeastRemainder)
     return "no arc of radius " + mm(radius) + " touches both moves, which are " +
            lengths_of(before, after) + " long";
   return "a rounding of radius " + mm(radius) + " takes " + mm(radius * std::tan(half)) +
@@ -76,7 +75,7 @@ std::optional<CornerCuts> cuts_of_rounding(const PlaneCurve& before, const Plane
       center->at};
 }
 
-PlaneVector turned(const PlaneVector& v, double angle) {
+PlaneVector turned_by(const PlaneVector& v, double angle) {
   const double cosine = std::cos(angle), sine = std::sin(angle);
   return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
 }
@@ -85,7 +84,7 @@ PlaneVector turned(const PlaneVector& v, double angle) {
 /// if the curve does not go so far.
 std::optional<CornerCut> cut_at(const PlaneCurve& curve, double distance, int way) {
   const PlaneVector corner = way < 0 ? curve.to() : curve.from();
-  const double most = 1 + kNothing / curve.length();
+  const double most = 1 + kLeastRemainder / curve.length();
   if (!curve.is_arc()) {
     const CornerCut cut{corner + way * distance * curve.end_direction(), distance / curve.length()};
     return cut.part <= most ? std::optional(cut) : std::nullopt;
@@ -93,7 +92,7 @@ std::optional<CornerCut> cut_at(const PlaneCurve& curve, double distance, int wa
   const PlaneVector radial = corner - curve.center();
   if (distance > 2 * radial.norm()) return std::nullopt;
   const double angle = 2 * std::asin(distance / (2 * radial.norm()));
-  const CornerCut cut{curve.center() + turned(radial, way * std::copysign(angle, curve.sweep())),
+  const CornerCut cut{curve.center() + turned_by(radial, way * std::copysign(angle, curve.sweep())),
                       angle / std::abs(curve.sweep())};
   return cut.part <= most ? std::optional(cut) : std::nullopt;
 }
@@ -130,7 +129,7 @@ Result<Path> rest_of(const Path& path, const AxisVector& from, const AxisVector&
 }
 
 bool is_all(const CornerCut& cut, const PlaneCurve& curve) {
-  return (1 - cut.part) * curve.length() < kNothing;
+  return (1 - cut.part) * curve.length() < kLeastRemainder;
 }
 
 }  // namespace
@@ -150,7 +149,7 @@ Result<PiecedCorner> piece_corner(const Path& before, const Path& after, Plane p
   const AxisVector start = softcnc::start(before), end = softcnc::end(after);
   const AxisVector from = no_first ? start : in_space(cuts->before.at, start, axes);
   const AxisVector to = no_second ? end : in_space(cuts->after.at, end, axes);
-  if ((to - from).norm() < kNothing)
+  if ((to - from).norm() < kLeastRemainder)
     return does_not_fit("the second move leads back to where the piece would begin");
 
   PiecedCorner pieced;

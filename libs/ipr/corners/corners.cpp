@@ -6,20 +6,21 @@
 #include <cmath>
 #include <utility>
 
+#include "ipr/compensation/compensation.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kSamePoint = 1e-6;  // mm
-constexpr std::size_t kMostWaiting = 10'000;
+constexpr double kSameEnd = 1e-6;  // mm
 
 const Move& move_of(const BlockOfLine& one) { return std::get<Move>(one.block.what); }
 
 /// Whether a move goes along the plane, and not across it as well.
 bool lies_in(const Path& path, Plane plane) {
   const PlaneAxes axes = plane_axes(plane);
-  if (std::abs(end(path)[axes.across] - start(path)[axes.across]) > kSamePoint) return false;
+  if (std::abs(end(path)[axes.across] - start(path)[axes.across]) > kSameEnd) return false;
   if (const auto* arc = std::get_if<Arc>(&path)) return arc->plane() == plane;
-  return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() > kSamePoint;
+  return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() > kSameEnd;
 }
 
 bool is_line_or_arc(const Move& move) {
@@ -89,7 +90,7 @@ bool Corners::may_follow(const Move& next, std::vector<BlockOfLine>& ready) {
     leave(Code::SC2263, "no move by G01, G02 or G03 follows", ready);
   else if (!lies_in(next.path, held_->asked.plane))
     leave(Code::SC2264, "the move after it leads across the plane", ready);
-  else if ((start(next.path) - end(before)).norm() > kSamePoint)
+  else if ((start(next.path) - end(before)).norm() > kSameEnd)
     leave(Code::SC2263, "the next move begins elsewhere", ready);
   return held_.has_value();
 }

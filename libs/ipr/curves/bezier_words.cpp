@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
@@ -27,7 +28,6 @@ bool has_both(const Values& values, Pair pair) {
 
 /// G05 P10000, G05.1 Q1: what FANUC's switches of the look-ahead look like.
 bool is_switch(const Task& task) {
-  constexpr int kG05 = 50;
   const LetterSet words = task.values.letters();
   if (words.has_any("IJK")) return false;
   if (task.code.number == kG05)
@@ -127,7 +127,7 @@ void quadratic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
 }
 
 /// What the dialects make of it: a curve is drawn only where true is returned.
-bool is_curve(Task& task) {
+bool is_known_as_curve(Task& task) {
   const bool fanuc = is_fanuc_like(task.options.dialect);
   if (fanuc == is_switch(task)) {
     if (fanuc) note_switch(task);
@@ -164,7 +164,7 @@ void switch_look_ahead(Task& task) {
 }
 
 void cubic(Task& task) {
-  if (!is_curve(task)) return;
+  if (!is_known_as_curve(task)) return;
   draw(task, cubic_curve);
   const PlaneAxes axes = plane_axes(task.modal.plane);
   task.modal.curve_end =
@@ -172,7 +172,7 @@ void cubic(Task& task) {
 }
 
 void quadratic(Task& task) {
-  if (!is_curve(task)) return;
+  if (!is_known_as_curve(task)) return;
   for (const char letter : {'Q', 'R'})  // of FANUC's switch
     if (task.values.has(letter))
       task.out.report(Code::SC2004, task.values.word(letter).pos,

@@ -12,10 +12,9 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kDefaultOrder = 4;
+constexpr int kDefaultNurbsOrder = 4;
 constexpr int kLeastOrder = 2;
 constexpr int kFanucOrder = 4;  // the largest of a FANUC control
-constexpr std::string_view kSurfaceWords = "DJHL";
 
 bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
 
@@ -29,7 +28,7 @@ void note_order(Task& task, const Word& word) {
 }
 
 std::optional<int> read_order(Task& task) {
-  if (!task.values.has('P')) return kDefaultOrder;
+  if (!task.values.has('P')) return kDefaultNurbsOrder;
   const Word& word = task.values.word('P');
   const bool legal = word.value == std::floor(word.value) && word.value >= kLeastOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
@@ -55,7 +54,7 @@ void begin_curve(Task& task) {
   check_feed_mode(task);
   ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
-  curve.order = read_order(task).value_or(kDefaultOrder);
+  curve.order = read_order(task).value_or(kDefaultNurbsOrder);
   curve.spec.degree = curve.order - 1;
   curve.order_word = task.values.value_or('P', 0);
   curve.head = curve_head(task);
@@ -180,7 +179,7 @@ void read_chopping(Task& task) {
 /// Reports words that count for the whole curve.
 void refuse_words_of_first(Task& task, const PendingCurve& curve) {
   const Values& values = task.values;
-  LetterSet first = kSurfaceWords;
+  LetterSet first = kSurfaceWordsOfCurve;
   const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
   if (!again) first.add('P');
   for (const char letter : std::string_view("PDJHL"))

@@ -11,7 +11,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kDefaultOrder = 3;
+constexpr int kDefaultPointsOrder = 3;
 constexpr int kControlPoints = 52;  // the number of G05.2 in the table
 
 PendingPoints& begin_points(Task& task) {
@@ -69,9 +69,9 @@ void finish_points(Modal& modal, Output& out) {
 // G05.2
 
 int read_control_order(Task& task) {
-  if (!task.values.has('L')) return kDefaultOrder;
+  if (!task.values.has('L')) return kDefaultPointsOrder;
   const Word& word = task.values.word('L');
-  const bool legal = word.value == std::floor(word.value) && word.value >= kDefaultOrder &&
+  const bool legal = word.value == std::floor(word.value) && word.value >= kDefaultPointsOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
   if (legal) return static_cast<int>(word.value);
   report_word(task, 'L', Code::SC3001,

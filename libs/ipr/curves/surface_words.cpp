@@ -10,7 +10,6 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::string_view kWordsOfCurve = "DJHL";  // R is the weight there
 constexpr std::string_view kSurfaceWords = "DJHLRQ";
 
 /// D, J, H, L, R and Q are the surface's: no other code of the line may take them.
@@ -198,7 +197,7 @@ void cancel_surface(Task& task) {
 }
 
 void ask_for_surface_of_curve(Task& task) {
-  if (task.values.letters().has_any(kWordsOfCurve)) keep_surface(task, read_surface(task));
+  if (task.values.letters().has_any(kSurfaceWordsOfCurve)) keep_surface(task, read_surface(task));
 }
 
 bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line) {

@@ -14,15 +14,17 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kEnough = 3;  // weights of marks
-constexpr Dialect L = Dialect::linuxcnc, F = Dialect::fanuc, H = Dialect::haas, G = Dialect::grbl;
+constexpr Dialect kLinuxcnc = Dialect::linuxcnc, kFanuc = Dialect::fanuc, kHaas = Dialect::haas,
+                  kGrbl = Dialect::grbl;
 
 /// The name of a control in a comment.
 struct NameMark {
   Dialect dialect;
   const char* name;
 };
-constexpr NameMark kNames[] = {{L, "LINUXCNC"}, {L, "EMC2"}, {F, "FANUC"},
-                               {H, "HAAS"},     {G, "GRBL"}, {G, "FLUIDNC"}};
+constexpr NameMark kNameMarks[] = {{kLinuxcnc, "LINUXCNC"}, {kLinuxcnc, "EMC2"},
+                                   {kFanuc, "FANUC"},       {kHaas, "HAAS"},
+                                   {kGrbl, "GRBL"},         {kGrbl, "FLUIDNC"}};
 
 /// Codes by ten times their number, from the first to the last one.
 struct CodeMark {
@@ -31,15 +33,15 @@ struct CodeMark {
   char letter;
   int first, last;
 };
-constexpr CodeMark kCodes[] = {
-    {H, 3, 'G', 1540, 1540}, {H, 3, 'G', 1870, 1870}, {H, 3, 'G', 1100, 1299},
-    {H, 3, 'G', 1500, 1500}, {H, 3, 'G', 120, 120},   {H, 3, 'G', 130, 130},
-    {H, 2, 'M', 970, 970},   {H, 1, 'G', 1030, 1030}, {F, 3, 'G', 541, 541},
-    {F, 2, 'G', 650, 661},   {F, 2, 'M', 290, 290},   {F, 1, 'M', 980, 990},
-    {F, 1, 'G', 680, 680},   {F, 1, 'G', 160, 160},   {F, 1, 'G', 100, 100},
-    {L, 3, 'G', 330, 331},   {L, 2, 'G', 52, 53},     {L, 2, 'G', 432, 432},
-    {L, 1, 'M', 620, 680},   {L, 1, 'G', 591, 593},   {L, 1, 'G', 922, 923},
-    {L, 1, 'G', 611, 611},
+constexpr CodeMark kCodeMarks[] = {
+    {kHaas, 3, 'G', 1540, 1540},   {kHaas, 3, 'G', 1870, 1870},   {kHaas, 3, 'G', 1100, 1299},
+    {kHaas, 3, 'G', 1500, 1500},   {kHaas, 3, 'G', 120, 120},     {kHaas, 3, 'G', 130, 130},
+    {kHaas, 2, 'M', 970, 970},     {kHaas, 1, 'G', 1030, 1030},   {kFanuc, 3, 'G', 541, 541},
+    {kFanuc, 2, 'G', 650, 661},    {kFanuc, 2, 'M', 290, 290},    {kFanuc, 1, 'M', 980, 990},
+    {kFanuc, 1, 'G', 680, 680},    {kFanuc, 1, 'G', 160, 160},    {kFanuc, 1, 'G', 100, 100},
+    {kLinuxcnc, 3, 'G', 330, 331}, {kLinuxcnc, 2, 'G', 52, 53},   {kLinuxcnc, 2, 'G', 432, 432},
+    {kLinuxcnc, 1, 'M', 620, 680}, {kLinuxcnc, 1, 'G', 591, 593}, {kLinuxcnc, 1, 'G', 922, 923},
+    {kLinuxcnc, 1, 'G', 611, 611},
 };
 
 /// A pattern as of file names (POSIX, fnmatch), of a line in capitals without blanks, comments and
@@ -51,33 +53,33 @@ struct LineMark {
   const char* says;
 };
 constexpr LineMark kLineMarks[] = {
-    {L, 3, "O*[]0-9>]SUB", "an O-word"},
-    {L, 3, "O*[]0-9>]CALL*", "an O-word"},
-    {L, 3, "O*[]0-9>]IF[[]*", "an O-word"},
-    {L, 3, "O*[]0-9>]WHILE[[]*", "an O-word"},
-    {L, 3, "O*[]0-9>]REPEAT[[]*", "an O-word"},
-    {L, 3, "O*[]0-9>]DO", "an O-word"},
-    {L, 3, "*#<*>*", "a variable with a name"},
-    {L, 2, "*G64*P*", "G64 P"},
-    {H, 3, "[[]*]M99*", "a condition before M99"},
-    {H, 3, "*G7[012]*I*L*", "a pattern of holes"},
-    {F, 3, "WH*[[]*]DO[123]", "WHILE DO"},
-    {F, 3, "IF[[]*]THEN*", "IF THEN"},
-    {F, 3, "IF[[]*]GOTO*", "IF GOTO"},
-    {F, 2, "GOTO[0-9]*", "GOTO"},
-    {F, 3, "#3000=*", "#3000"},
-    {F, 2, "#[15][0-9][0-9]=*", "a common variable"},
-    {F, 3, "*#[0-9]*=#[0-9]*[-+*/]*", "an operator without brackets"},
-    {F, 3, "*G05.1Q*", "G05.1 Q"},
-    {F, 3, "*G5.1Q*", "G05.1 Q"},
-    {F, 3, "*G05P[0-9]*", "G05 P"},
-    {F, 2, "*G08P[01]*", "G08 P"},
-    {F, 1, "*G04[XU]*", "G04 X"},
-    {F, 1, "*G30P[234]*", "G30 P"},
+    {kLinuxcnc, 3, "O*[]0-9>]SUB", "an O-word"},
+    {kLinuxcnc, 3, "O*[]0-9>]CALL*", "an O-word"},
+    {kLinuxcnc, 3, "O*[]0-9>]IF[[]*", "an O-word"},
+    {kLinuxcnc, 3, "O*[]0-9>]WHILE[[]*", "an O-word"},
+    {kLinuxcnc, 3, "O*[]0-9>]REPEAT[[]*", "an O-word"},
+    {kLinuxcnc, 3, "O*[]0-9>]DO", "an O-word"},
+    {kLinuxcnc, 3, "*#<*>*", "a variable with a name"},
+    {kLinuxcnc, 2, "*G64*P*", "G64 P"},
+    {kHaas, 3, "[[]*]M99*", "a condition before M99"},
+    {kHaas, 3, "*G7[012]*I*L*", "a pattern of holes"},
+    {kFanuc, 3, "WH*[[]*]DO[123]", "WHILE DO"},
+    {kFanuc, 3, "IF[[]*]THEN*", "IF THEN"},
+    {kFanuc, 3, "IF[[]*]GOTO*", "IF GOTO"},
+    {kFanuc, 2, "GOTO[0-9]*", "GOTO"},
+    {kFanuc, 3, "#3000=*", "#3000"},
+    {kFanuc, 2, "#[15][0-9][0-9]=*", "a common variable"},
+    {kFanuc, 3, "*#[0-9]*=#[0-9]*[-+*/]*", "an operator without brackets"},
+    {kFanuc, 3, "*G05.1Q*", "G05.1 Q"},
+    {kFanuc, 3, "*G5.1Q*", "G05.1 Q"},
+    {kFanuc, 3, "*G05P[0-9]*", "G05 P"},
+    {kFanuc, 2, "*G08P[01]*", "G08 P"},
+    {kFanuc, 1, "*G04[XU]*", "G04 X"},
+    {kFanuc, 1, "*G30P[234]*", "G30 P"},
 };
 
-constexpr std::size_t kFirstCode = std::size(kNames);
-constexpr std::size_t kFirstLine = kFirstCode + std::size(kCodes);
+constexpr std::size_t kFirstCode = std::size(kNameMarks);
+constexpr std::size_t kFirstLine = kFirstCode + std::size(kCodeMarks);
 constexpr std::size_t kSender = kFirstLine + std::size(kLineMarks);
 constexpr std::size_t kChecksum = kSender + 1, kStart = kSender + 2, kNumber = kSender + 3;
 constexpr std::size_t kMarks = kSender + 4;
@@ -162,9 +164,9 @@ void DialectGuess::see(std::string_view line, int number) {
   number_ = number;
   auto [comments, code] = parts_of(line);
   see_comments(comments);
-  if (is_sender_line(line)) return add(kSender, G, kEnough, "a line for a sender of grbl");
+  if (is_sender_line(line)) return add(kSender, kGrbl, kEnough, "a line for a sender of grbl");
   if (const std::size_t star = checksum_at(code); star != code.npos) {
-    add(kChecksum, G, kEnough, "a checksum of a sender");
+    add(kChecksum, kGrbl, kEnough, "a checksum of a sender");
     code.erase(star);
   }
   drop_line_number(code);
@@ -174,13 +176,14 @@ void DialectGuess::see(std::string_view line, int number) {
 }
 
 void DialectGuess::see_comments(std::string_view comments) {
-  for (std::size_t i = 0; i < std::size(kNames); ++i)
-    if (comments.find(kNames[i].name) != comments.npos)
-      add(i, kNames[i].dialect, kEnough, std::string("'") + kNames[i].name + "' in a comment");
+  for (std::size_t i = 0; i < std::size(kNameMarks); ++i)
+    if (comments.find(kNameMarks[i].name) != comments.npos)
+      add(i, kNameMarks[i].dialect, kEnough,
+          std::string("'") + kNameMarks[i].name + "' in a comment");
 }
 
 void DialectGuess::see_code(const std::string& code) {
-  if (names_program(code)) add(kNumber, F, 2, "the number of a program");
+  if (names_program(code)) add(kNumber, kFanuc, 2, "the number of a program");
   for (std::size_t i = 0; i < std::size(kLineMarks); ++i) {
     const LineMark& mark = kLineMarks[i];
     if (!seen_[kFirstLine + i] && ::fnmatch(mark.pattern, code.c_str(), FNM_NOESCAPE) == 0)
@@ -201,8 +204,8 @@ void DialectGuess::see_words(const std::string& code) {
     if (letter != 'G' && letter != 'M') continue;
     const int tenths = tenths_at(std::string_view(code).substr(at + 1));
     if (tenths < 0) continue;
-    for (std::size_t i = 0; i < std::size(kCodes); ++i) {
-      const CodeMark& mark = kCodes[i];
+    for (std::size_t i = 0; i < std::size(kCodeMarks); ++i) {
+      const CodeMark& mark = kCodeMarks[i];
       if (letter == mark.letter && tenths >= mark.first && tenths <= mark.last)
         add(kFirstCode + i, mark.dialect, mark.weight, code_text(letter, tenths));
     }
@@ -215,7 +218,7 @@ void DialectGuess::see_words(const std::string& code) {
              (tenths >= 730 && tenths <= 890 && tenths != 800);
   }
   if (axes && !moves_ && !other_use && code.front() != 'O')
-    add(kStart, G, kEnough, "coordinates before any motion code");
+    add(kStart, kGrbl, kEnough, "coordinates before any motion code");
   moves_ = moves_ || axes;
 }
 
@@ -223,11 +226,11 @@ void DialectGuess::see_words(const std::string& code) {
 /// number is only one mark among others.
 bool DialectGuess::may_be_numbered_elsewhere() const noexcept {
   bool may = seen_[kSender] || seen_[kChecksum];
-  for (std::size_t i = 0; i < std::size(kNames); ++i)
-    may = may || (seen_[i] && is_linuxcnc_like(kNames[i].dialect));
+  for (std::size_t i = 0; i < std::size(kNameMarks); ++i)
+    may = may || (seen_[i] && is_linuxcnc_like(kNameMarks[i].dialect));
   for (std::size_t i = 0; i < std::size(kLineMarks); ++i) {
     const LineMark& mark = kLineMarks[i];
-    may = may || (seen_[kFirstLine + i] && mark.dialect == L && mark.weight == kEnough);
+    may = may || (seen_[kFirstLine + i] && mark.dialect == kLinuxcnc && mark.weight == kEnough);
   }
   return may;
 }
@@ -236,11 +239,11 @@ bool DialectGuess::may_be_numbered_elsewhere() const noexcept {
 std::array<int, kDialects> DialectGuess::weights() const noexcept {
   std::array<int, kDialects> all{};
   for (std::size_t i = 0; i < kDialects; ++i) all[i] = evidence_[i].weight;
-  int& fanuc = all[static_cast<std::size_t>(F)];
-  int& haas = all[static_cast<std::size_t>(H)];
+  int& fanuc = all[static_cast<std::size_t>(kFanuc)];
+  int& haas = all[static_cast<std::size_t>(kHaas)];
   if (seen_[kNumber] && !may_be_numbered_elsewhere()) {
     fanuc = std::max(fanuc, kEnough);
-    all[static_cast<std::size_t>(L)] = all[static_cast<std::size_t>(G)] = 0;
+    all[static_cast<std::size_t>(kLinuxcnc)] = all[static_cast<std::size_t>(kGrbl)] = 0;
   }
   if (haas > 0) haas += fanuc;
   return all;
@@ -255,7 +258,7 @@ std::optional<Dialect> DialectGuess::dialect() const noexcept {
 }
 
 const DialectGuess::Evidence& DialectGuess::best() const noexcept {
-  return evidence_[static_cast<std::size_t>(dialect().value_or(L))];
+  return evidence_[static_cast<std::size_t>(dialect().value_or(kLinuxcnc))];
 }
 
 namespace {

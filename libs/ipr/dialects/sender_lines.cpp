@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "ipr/text/number.hpp"
+
 namespace softcnc::ipr {
 namespace {
-
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
 std::string_view trimmed(std::string_view text) noexcept {
   const std::size_t begin = text.find_first_not_of(" \t");

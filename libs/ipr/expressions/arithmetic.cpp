@@ -10,37 +10,37 @@
 namespace softcnc::ipr {
 namespace {
 
-using O = OperatorKind;
-using F = FunctionKind;
+using Op = OperatorKind;
+using Fn = FunctionKind;
 
 // LinuxCNC: comparisons bind tighter than AND, OR, XOR. FANUC: AND binds like *, OR and XOR like +,
 // since they work on the bits of numbers. A name that begins with another stands before it.
 constexpr Operator kOperators[] = {
-    {"**", O::power, 5, 4},         {"*", O::times, 4, 3},      {"/", O::divide, 4, 3},
-    {"MOD", O::modulo, 4, 3},       {"+", O::plus, 3, 2},       {"-", O::minus, 3, 2},
-    {"EQ", O::equal, 2, 1},         {"NE", O::not_equal, 2, 1}, {"GT", O::greater, 2, 1},
-    {"GE", O::greater_equal, 2, 1}, {"LT", O::less, 2, 1},      {"LE", O::less_equal, 2, 1},
-    {"AND", O::logic_and, 1, 3},    {"OR", O::logic_or, 1, 2},  {"XOR", O::logic_xor, 1, 2},
+    {"**", Op::power, 5, 4},         {"*", Op::times, 4, 3},      {"/", Op::divide, 4, 3},
+    {"MOD", Op::modulo, 4, 3},       {"+", Op::plus, 3, 2},       {"-", Op::minus, 3, 2},
+    {"EQ", Op::equal, 2, 1},         {"NE", Op::not_equal, 2, 1}, {"GT", Op::greater, 2, 1},
+    {"GE", Op::greater_equal, 2, 1}, {"LT", Op::less, 2, 1},      {"LE", Op::less_equal, 2, 1},
+    {"AND", Op::logic_and, 1, 3},    {"OR", Op::logic_or, 1, 2},  {"XOR", Op::logic_xor, 1, 2},
 };
 
 constexpr Function kFunctions[] = {
-    {"ABS", F::abs, ""},
-    {"ACOS", F::acos, "numbers from -1 to 1"},
-    {"ASIN", F::asin, "numbers from -1 to 1"},
-    {"ATAN", F::atan, ""},
-    {"BCD", F::bcd, "whole numbers from 0 to 99999999"},
-    {"BIN", F::bin, "whole numbers whose hexadecimal digits are 0 to 9"},
-    {"COS", F::cos, ""},
-    {"EXISTS", F::exists, ""},
-    {"EXP", F::exp, ""},
-    {"FIX", F::fix, ""},
-    {"FUP", F::fup, ""},
-    {"LN", F::ln, "numbers above 0"},
-    {"POW", F::pow, "a negative number only with a whole exponent"},
-    {"ROUND", F::round, ""},
-    {"SIN", F::sin, ""},
-    {"SQRT", F::sqrt, "numbers from 0"},
-    {"TAN", F::tan, "no odd multiple of 90 degrees"},
+    {"ABS", Fn::abs, ""},
+    {"ACOS", Fn::acos, "numbers from -1 to 1"},
+    {"ASIN", Fn::asin, "numbers from -1 to 1"},
+    {"ATAN", Fn::atan, ""},
+    {"BCD", Fn::bcd, "whole numbers from 0 to 99999999"},
+    {"BIN", Fn::bin, "whole numbers whose hexadecimal digits are 0 to 9"},
+    {"COS", Fn::cos, ""},
+    {"EXISTS", Fn::exists, ""},
+    {"EXP", Fn::exp, ""},
+    {"FIX", Fn::fix, ""},
+    {"FUP", Fn::fup, ""},
+    {"LN", Fn::ln, "numbers above 0"},
+    {"POW", Fn::pow, "a negative number only with a whole exponent"},
+    {"ROUND", Fn::round, ""},
+    {"SIN", Fn::sin, ""},
+    {"SQRT", Fn::sqrt, "numbers from 0"},
+    {"TAN", Fn::tan, "no odd multiple of 90 degrees"},
 };
 
 constexpr double kEqual = 1e-4;  // LinuxCNC: numbers that differ by less are EQ
@@ -86,9 +86,9 @@ std::optional<std::uint32_t> bits_of(double value) noexcept {
 Computed bitwise(OperatorKind kind, double left, double right) noexcept {
   const auto a = bits_of(left), b = bits_of(right);
   if (!a || !b) return {0, Trouble::not_taken};
-  const std::uint32_t bits = kind == O::logic_and  ? *a & *b
-                             : kind == O::logic_or ? *a | *b
-                                                   : *a ^ *b;
+  const std::uint32_t bits = kind == Op::logic_and  ? *a & *b
+                             : kind == Op::logic_or ? *a | *b
+                                                    : *a ^ *b;
   const bool sign = left < 0 || right < 0;
   return {sign ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits),
           Trouble::none};
@@ -97,7 +97,7 @@ Computed bitwise(OperatorKind kind, double left, double right) noexcept {
 Computed logic(OperatorKind kind, double left, double right, Dialect dialect) noexcept {
   if (is_fanuc_like(dialect)) return bitwise(kind, left, right);
   const bool a = left != 0, b = right != 0;
-  return truth(kind == O::logic_and ? a && b : kind == O::logic_or ? a || b : a != b);
+  return truth(kind == Op::logic_and ? a && b : kind == Op::logic_or ? a || b : a != b);
 }
 
 /// Sine of an angle in degrees, exact at multiples of 30 where it is 0, a half or 1.
@@ -132,7 +132,7 @@ double arc_sine(double value, Dialect dialect) noexcept {
 
 /// FIX: LinuxCNC rounds down, FANUC towards 0. FUP: up, or away from 0.
 double whole(FunctionKind kind, double value, Dialect dialect) noexcept {
-  const bool down = (kind == F::fix) != (is_fanuc_like(dialect) && value < 0);
+  const bool down = (kind == Fn::fix) != (is_fanuc_like(dialect) && value < 0);
   return down ? std::floor(value) : std::ceil(value);
 }
 
@@ -164,29 +164,29 @@ std::span<const Operator> operators() noexcept { return kOperators; }
 std::span<const Function> functions() noexcept { return kFunctions; }
 
 Computed compute(OperatorKind kind, double left, double right, Dialect dialect) noexcept {
-  if (kind == O::equal) return truth(are_equal(left, right, dialect));
-  if (kind == O::not_equal) return truth(!are_equal(left, right, dialect));
+  if (kind == Op::equal) return truth(are_equal(left, right, dialect));
+  if (kind == Op::not_equal) return truth(!are_equal(left, right, dialect));
   const double a = number_of(left), b = number_of(right);
   switch (kind) {
-    case O::power:
+    case Op::power:
       return power(a, b);
-    case O::times:
+    case Op::times:
       return finite(a * b);
-    case O::divide:
+    case Op::divide:
       return b == 0 ? Computed{0, Trouble::zero_divisor} : finite(a / b);
-    case O::modulo:
+    case Op::modulo:
       return remainder(a, b, dialect);
-    case O::plus:
+    case Op::plus:
       return finite(a + b);
-    case O::minus:
+    case Op::minus:
       return finite(a - b);
-    case O::greater:
+    case Op::greater:
       return truth(a > b);
-    case O::greater_equal:
+    case Op::greater_equal:
       return truth(a >= b);
-    case O::less:
+    case Op::less:
       return truth(a < b);
-    case O::less_equal:
+    case Op::less_equal:
       return truth(a <= b);
     default:
       return logic(kind, a, b, dialect);
@@ -197,39 +197,39 @@ Computed compute(FunctionKind kind, std::span<const double> arguments, Dialect d
   const double x = number_of(arguments[0]);
   const double second = arguments.size() > 1 ? number_of(arguments[1]) : 1;
   switch (kind) {
-    case F::abs:
+    case Fn::abs:
       return {std::abs(x), Trouble::none};
-    case F::acos:
+    case Fn::acos:
       return if_taken(std::abs(x) <= 1, std::acos(x) / kRadians);
-    case F::asin:
+    case Fn::asin:
       return if_taken(std::abs(x) <= 1, arc_sine(x, dialect));
-    case F::atan:
+    case Fn::atan:
       return {arguments.size() > 1 ? angle(x, second, dialect) : std::atan(x) / kRadians,
               Trouble::none};
-    case F::bcd:
+    case Fn::bcd:
       return change_base(x, 10, 16);
-    case F::bin:
+    case Fn::bin:
       return change_base(x, 16, 10);
-    case F::cos:
+    case Fn::cos:
       return {cosine(x), Trouble::none};
-    case F::exists:
+    case Fn::exists:
       return truth(!is_vacant(arguments[0]));
-    case F::exp:
+    case Fn::exp:
       return finite(std::exp(x));
-    case F::fix:
-    case F::fup:
+    case Fn::fix:
+    case Fn::fup:
       return {whole(kind, x, dialect), Trouble::none};
-    case F::ln:
+    case Fn::ln:
       return if_taken(x > 0, std::log(x));
-    case F::pow:
+    case Fn::pow:
       return power(x, second);
-    case F::round:
+    case Fn::round:
       return {std::round(x), Trouble::none};
-    case F::sin:
+    case Fn::sin:
       return {sine(x), Trouble::none};
-    case F::sqrt:
+    case Fn::sqrt:
       return if_taken(x >= 0, std::sqrt(x));
-    case F::tan:
+    case Fn::tan:
       return tangent(x);
   }
   return {0, Trouble::not_taken};

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <system_error>
 
+#include "ipr/text/number.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::size_t kMostDigits = 9;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr std::size_t kMostNameDigits = 9;
 
 /// Without blanks, and in lower case.
 std::string plain(std::string_view text) {
@@ -32,7 +32,7 @@ std::string bare(std::string name) {
 bool is_name(std::string_view name) {
   if (name.starts_with('_'))
     return name.size() > 1 && name.find_first_of("<>#()") == std::string_view::npos;
-  return !name.empty() && name.size() <= kMostDigits && name.front() != '0' &&
+  return !name.empty() && name.size() <= kMostNameDigits && name.front() != '0' &&
          std::all_of(name.begin(), name.end(), is_digit);
 }
 

@@ -10,6 +10,7 @@
 namespace softcnc::ipr {
 
 enum class Dialect : std::uint8_t { linuxcnc, fanuc, haas, grbl };
+
 inline constexpr std::size_t kDialects = 4;
 inline constexpr std::array<std::string_view, kDialects> kDialectNames{"linuxcnc", "fanuc", "haas",
                                                                        "grbl"};
@@ -18,6 +19,9 @@ inline constexpr std::array<Dialect, kDialects> kAllDialects{Dialect::linuxcnc, 
 constexpr std::string_view name(Dialect dialect) noexcept {
   return kDialectNames[static_cast<std::size_t>(dialect)];
 }
+
+/// The word for the dialect that the program itself shows.
+inline constexpr const char* kGuessed = "auto";
 
 /// Returns whether the dialect reads as FANUC's controls do, except for what the table of dialect
 /// differences names: fanuc and haas.

@@ -11,7 +11,7 @@ namespace {
 
 using C = DialectDifference;
 
-constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
+constexpr std::array<DialectDifferenceRow, kDialectDifferences> kDifferenceTable{{
     {C::logic, Code::SC1032, "AND, OR, XOR", "ask whether numbers are 0",
      "join the bits of whole numbers", "", "custom macro, arithmetic and logic operation"},
     {C::modulo, Code::SC1032, "MOD", "is never negative",
@@ -107,8 +107,8 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
 }};
 
 constexpr bool in_order() {
-  for (std::size_t i = 0; i < kTable.size(); ++i)
-    if (static_cast<std::size_t>(kTable[i].kind) != i) return false;
+  for (std::size_t i = 0; i < kDifferenceTable.size(); ++i)
+    if (static_cast<std::size_t>(kDifferenceTable[i].kind) != i) return false;
   return true;
 }
 static_assert(in_order());
@@ -210,7 +210,9 @@ std::string_view DialectDifferenceRow::meaning(Dialect dialect) const noexcept {
 
 std::span<const DialectTraitRow> dialect_trait_table() noexcept { return kTraits; }
 
-std::span<const DialectDifferenceRow> dialect_difference_table() noexcept { return kTable; }
+std::span<const DialectDifferenceRow> dialect_difference_table() noexcept {
+  return kDifferenceTable;
+}
 
 void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string_view line,
                               const std::string& detail) {
@@ -248,7 +250,7 @@ void DialectDifferences::report() {
   const auto met_by = [this](const DialectDifferenceRow& row) -> Met& {
     return met_[static_cast<std::size_t>(row.kind)];
   };
-  for (const DialectDifferenceRow& row : kTable)
+  for (const DialectDifferenceRow& row : kDifferenceTable)
     if (!met_by(row).lines.empty()) found.push_back(&row);
   const auto place = [&](const DialectDifferenceRow* row) {
     const SourcePos& pos = met_by(*row).pos;

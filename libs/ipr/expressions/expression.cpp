@@ -12,10 +12,9 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kMaxDepth = 64;    // brackets, signs and '#' within one another
-constexpr double kWhole = 1e-4;  // how far from a whole number the number of a variable may be
+constexpr int kMaxDepth = 64;  // brackets, signs and '#' within one another
 constexpr int kLargestNumber = 1000000;
-constexpr std::size_t kLongestShown = 100;  // bytes of a name
+constexpr std::size_t kLongestNameShown = 100;  // bytes of a name
 constexpr std::string_view kOperand = "a number, '#', '[' or a function";
 
 /// A character that shows by itself what is wrong.
@@ -44,7 +43,7 @@ std::string lower_case(std::string_view name) {
 
 std::string name_of(const Variable& variable) {
   return variable.name.empty() ? "#" + std::to_string(variable.number)
-                               : "#<" + shortened(variable.name, kLongestShown) + ">";
+                               : "#<" + shortened(variable.name, kLongestNameShown) + ">";
 }
 
 const Function* take_function(Lexer& lexer, Dialect dialect) noexcept {
@@ -141,7 +140,7 @@ Expression::Operand Expression::combine(const Operator& op, const Operand& left,
       break;
     case Trouble::too_large:
       note(Code::SC1023, left.begin, right.end,
-           "the result of " + quoted(op.name) + " is too large");
+           "the result of " + in_quotes(op.name) + " is too large");
       break;
   }
   return result;
@@ -214,7 +213,7 @@ std::optional<Variable> Expression::variable() {
   const Operand index = operand();
   if (broke_off_ || is_unknown(index.value)) return std::nullopt;
   const double whole = std::round(index.value);
-  if (std::abs(index.value - whole) <= kWhole && std::abs(whole) < kLargestNumber)
+  if (std::abs(index.value - whole) <= kWholeTolerance && std::abs(whole) < kLargestNumber)
     return Variable{static_cast<int>(whole), {}};
   note(Code::SC1025, index.begin, index.end,
        is_vacant(index.value) ? "the number of a variable is vacant"
@@ -336,7 +335,7 @@ double Expression::stop_at_next(Code code, std::string_view expected) {
   }
   const std::string_view letters = lexer_.take_letters();
   if (letters.empty()) lexer_.pass();
-  const std::string found = quoted(letters.empty() ? std::string_view(&next, 1) : letters);
+  const std::string found = in_quotes(letters.empty() ? std::string_view(&next, 1) : letters);
   const int after = end();
   return stop(code, begin, after,
               message + "instead of " + found + advice_for(next, lexer_.peek()));

@@ -11,7 +11,7 @@ namespace softcnc::ipr {
 namespace {
 
 // LinuxCNC: #1 to #30 local, up to #5601; from #5061 on the system has its own among them.
-constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
+constexpr int kLocals = 30, kFirstSystem = 5000, kVariablesEnd = 5602;
 // FANUC: #1 to #33 local, #100 to #199 common; from #500 on those that the system keeps, and its
 // own.
 constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
@@ -23,9 +23,11 @@ constexpr int kHaasFirst = 10000, kHaasEnd = 11000;
 
 constexpr int kDebugSwitch = 5599;  // LinuxCNC: (DEBUG,text) is shown unless it is 0
 
-constexpr int kTouch = 5061, kTouchEnd = 5071;
+constexpr int kProbedVariables = 5061, kProbedVariablesEnd = 5071;
 
-constexpr bool is_touch(int number) noexcept { return number >= kTouch && number < kTouchEnd; }
+constexpr bool is_touch(int number) noexcept {
+  return number >= kProbedVariables && number < kProbedVariablesEnd;
+}
 
 constexpr bool is_fanuc_ordinary(int number) noexcept {
   return (number >= 1 && number <= kFanucLocals) ||
@@ -61,7 +63,7 @@ Parameters::Parameters(Dialect dialect)
 
 /// Whether the number is that of a variable that only programs use.
 bool Parameters::is_ordinary(int number) const noexcept {
-  if (is_linuxcnc_like(dialect_)) return number >= 1 && number < kEnd;
+  if (is_linuxcnc_like(dialect_)) return number >= 1 && number < kVariablesEnd;
   return is_fanuc_ordinary(number) || (dialect_ == Dialect::haas && is_haas_general(number));
 }
 
@@ -103,7 +105,7 @@ std::optional<double> Parameters::read(int number) const {
 
 std::optional<double> Parameters::read_as(int number, Dialect other) const {
   if (is_linuxcnc_like(other)) {
-    const auto value = number >= 1 && number < kEnd ? read(number) : std::nullopt;
+    const auto value = number >= 1 && number < kVariablesEnd ? read(number) : std::nullopt;
     return value && is_vacant(*value) ? 0 : value;
   }
   if (number == 0) return kVacant;
@@ -114,7 +116,7 @@ std::optional<double> Parameters::read_as(int number, Dialect other) const {
 
 bool Parameters::is_fanuc_system(int number) const {
   const Dialect own = is_fanuc_like(dialect_) ? dialect_ : Dialect::fanuc;
-  return system_ != nullptr && !is_fanuc_ordinary(number) && number < kEnd &&
+  return system_ != nullptr && !is_fanuc_ordinary(number) && number < kVariablesEnd &&
          system_->has(number, own) && !system_->has(number, Dialect::linuxcnc);
 }
 
@@ -253,7 +255,8 @@ void Parameters::lose_probed_point() {
   if (is_fanuc_like(dialect_))
     probed_point_lost_ = true;
   else
-    for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUnknown);
+    for (int number = kProbedVariables; number < kProbedVariablesEnd; ++number)
+      store(number, kUnknown);
 }
 
 void Parameters::push(std::span<const double> arguments) {

@@ -4,13 +4,12 @@
 #include <string>
 #include <utility>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr int kCodesPerNumber = 10;  // GCode::number counts tenths
 
 int m_number(const Task& task) { return task.code.number / kCodesPerNumber; }
 
@@ -136,8 +135,7 @@ void name_tool(Task& task) {
 void turn_spindle(Task& task) { turn_spindle_as(task, m_number(task)); }
 
 void turn_spindle_as(Task& task, int number) {
-  constexpr int kM03 = 3, kM04 = 4;
-  task.modal.spindle_direction = number == kM03 ? 1 : (number == kM04 ? -1 : 0);
+  task.modal.spindle_direction = number == kSpindleCw ? 1 : (number == kSpindleCcw ? -1 : 0);
   const bool on = task.modal.spindle_direction != 0;
   if (on && !task.modal.spindle_speed)
     task.out.report(Code::SC2203, task.word.pos,
@@ -149,9 +147,8 @@ void turn_spindle_as(Task& task, int number) {
 void switch_coolant(Task& task) { switch_coolant_as(task, m_number(task)); }
 
 void switch_coolant_as(Task& task, int number) {
-  constexpr int kM07 = 7, kM08 = 8;
-  task.modal.mist = number == kM07 || (number == kM08 && task.modal.mist);
-  task.modal.flood = number == kM08 || (number == kM07 && task.modal.flood);
+  task.modal.mist = number == kMist || (number == kFlood && task.modal.mist);
+  task.modal.flood = number == kFlood || (number == kMist && task.modal.flood);
   const bool own = m_number(task) == number;
   emit_action(task, Action::Kind::coolant, own ? 0 : number);
 }

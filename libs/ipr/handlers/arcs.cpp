@@ -8,12 +8,12 @@
 #include "ipr/dialects/grbl_reading.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/lines/beyond_grbl.hpp"
+#include "ipr/state/nearness.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // mm
 constexpr int kMostTurns = 10'000;
 constexpr double kShortfall = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
 
@@ -177,7 +177,7 @@ int further_turns(Task& task) {
 }
 
 /// A work system that is rotated about Z tilts the planes that hold Z.
-bool lies_in_plane(Task& task) {
+bool arc_lies_in_plane(Task& task) {
   if (task.modal.plane == Plane::xy || !task.modal.coordinates.rotated()) return true;
   task.out.report(Code::SC2113, task.word.pos,
                   code_name(task.code) + " in a plane that the rotation of the work system tilts");
@@ -193,7 +193,7 @@ void arc(Task& task, bool ccw) {
   const bool well_given = is_well_given(task, axes);
   has_feed(task);
   if (has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
-      has_near_lengths(task, "IJKR") && lies_in_plane(task)) {
+      has_near_lengths(task, "IJKR") && arc_lies_in_plane(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
     if (center)

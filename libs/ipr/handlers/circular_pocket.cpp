@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG13 = 130;
 constexpr double kMostPasses = 1e4;   // of one line: its moves are made at once
 constexpr double kSameRadius = 1e-9;  // mm
 
@@ -22,24 +22,17 @@ struct Pocket {
   bool ccw = false;
 };
 
-bool needs(Task& task, char letter, std::string_view what) {
-  if (task.values.has(letter)) return true;
-  task.out.report(Code::SC2005, task.word.pos,
-                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
-  return false;
-}
-
 bool refuse_value(Task& task, char letter, std::string_view must) {
   report_word(task, letter, Code::SC2007, std::string(1, letter) + ", " + std::string(must));
   return false;
 }
 
-bool has_words(Task& task) {
-  if (!needs(task, 'I', "the radius of the first pass") || !needs(task, 'Z', "the depth"))
+bool has_pocket_words(Task& task) {
+  if (!has_word(task, 'I', "the radius of the first pass") || !has_word(task, 'Z', "the depth"))
     return false;
-  if (task.values.has('K') && !needs(task, 'Q', "the steps of the radius from I to K"))
+  if (task.values.has('K') && !has_word(task, 'Q', "the steps of the radius from I to K"))
     return false;
-  if (task.values.has('Q') && !needs(task, 'K', "the radius of the last pass")) return false;
+  if (task.values.has('Q') && !has_word(task, 'K', "the radius of the last pass")) return false;
   if (task.values.value_or('Q', 1) > 0) return true;
   return refuse_value(task, 'Q', "the step of the radius, must be above 0");
 }
@@ -86,7 +79,7 @@ std::optional<double> scale_of_pocket(Task& task) {
 }
 
 std::optional<Pocket> pocket_of(Task& task) {
-  if (!has_words(task) || !has_near_lengths(task, "IKQ")) return std::nullopt;
+  if (!has_pocket_words(task) || !has_near_lengths(task, "IKQ")) return std::nullopt;
   const auto scale = scale_of_pocket(task);
   if (!scale) return std::nullopt;
   const auto loops = loops_of(task);

@@ -5,16 +5,13 @@
 #include <cmath>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG41Dynamic = 411, kG42 = 420, kG42Dynamic = 421;
-
-bool is_dynamic(const GCode& code) {
-  return code.number == kG41Dynamic || code.number == kG42Dynamic;
-}
+bool is_dynamic(const GCode& code) { return code.number == kG411 || code.number == kG421; }
 
 std::optional<double> radius_of_loaded_tool(Task& task) {
   const std::optional<int>& tool = task.modal.loaded_tool;
@@ -111,7 +108,6 @@ constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  120, 130, 280, 28
                             820, 830, 840, 850, 860, 870, 880, 890, 920, 921, 922, 923};
 /// LinuxCNC refuses these too, though the contour stays what it is.
 constexpr std::array kNotInLinuxcnc{610, 611, 640, 980, 990};
-constexpr int kG10 = 100, kG17 = 170, kG19 = 190;
 
 template <typename Numbers>
 bool among(int number, const Numbers& numbers) {
@@ -119,10 +115,8 @@ bool among(int number, const Numbers& numbers) {
 }
 
 bool changes_plane(const Task& task) {
-  constexpr std::array kPlanes{Plane::xy, Plane::zx, Plane::yz};
   const int number = task.code.number;
-  if (number < kG17 || number > kG19) return false;
-  return kPlanes[static_cast<std::size_t>((number - kG17) / 10)] != task.modal.plane;
+  return number >= kG17 && number <= kG19 && selected_plane(task.code) != task.modal.plane;
 }
 
 /// G10 of the work system in force.
@@ -136,14 +130,13 @@ bool moves_work_system(const Task& task) {
 /// A mirror would change the side of the contour; FANUC's manual allows G68 unless scales are in
 /// force.
 bool changes_scales(const Task& task) {
-  constexpr int kG50 = 500, kG501 = 501, kG51 = 510, kG511 = 511, kG68 = 680;
   const Transformation& now = task.modal.transformation;
   const int number = task.code.number;
   if (number == kG50 || number == kG68) return now.scaling.has_value();
   return number == kG51 || number == kG511 || (number == kG501 && now.mirrors());
 }
 
-bool is_refused(const Task& task) {
+bool is_refused_beside_contour(const Task& task) {
   const int number = task.code.number;
   if (task.code.letter != 'G')
     return task.code.group == Group::tool_change || task.code.group == Group::length_number;
@@ -158,7 +151,7 @@ double round_shown(double value) {
   return std::round(value * kDigits) / kDigits + 0.0;
 }
 
-bool is_curve(const Task& task) {
+bool leads_along_curve(const Task& task) {
   constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62, 120, 130};
   return task.code.letter == 'G' && among(task.code.number, kCurves) &&
          task.values.letters().has_any(task.code.words);
@@ -213,7 +206,7 @@ void compensate(Task& task) {
   if (!may_start(task)) return;
   const std::optional<double> radius = tool_radius(task);
   if (!radius) return;
-  const bool right = task.code.number == kG42 || task.code.number == kG42Dynamic;
+  const bool right = task.code.number == kG42 || task.code.number == kG421;
   const int side = right == (*radius < 0) ? 1 : -1;
   const CutterSide wanted{side, std::abs(*radius), task.modal.plane, is_fanuc(task)};
   if (on && task.modal.cutter == wanted) return;
@@ -245,9 +238,10 @@ void end_compensation(Task& task) {
 }
 
 bool may_act(Task& task) {
-  const bool leaves_on_curve = task.modal.beside && is_curve(task);
+  const bool leaves_on_curve = task.modal.beside && leads_along_curve(task);
   if (leaves_on_curve) report_beside(task);
-  if (!task.out.compensating() || !is_refused(task) || task.modal.curve || task.modal.points)
+  if (!task.out.compensating() || !is_refused_beside_contour(task) || task.modal.curve ||
+      task.modal.points)
     return true;
   if (!leaves_on_curve)
     task.out.report(Code::SC2140, task.word.pos,

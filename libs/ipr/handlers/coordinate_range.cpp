@@ -9,7 +9,7 @@ namespace softcnc::ipr {
 namespace {
 
 /// Of nearly straight arcs the centre is far away.
-constexpr double kLongest = 1e9;  // mm
+constexpr double kLongestLength = 1e9;  // mm
 
 std::string beyond(double limit) { return " beyond " + number_text(limit) + " mm"; }
 
@@ -73,8 +73,9 @@ bool has_near_lengths(Task& task, std::string_view letters) {
   bool near = true;
   for (const char letter : letters) {
     if (!task.values.has(letter)) continue;
-    if (std::abs(task.values[letter] * task.modal.mm_per_unit) <= kLongest) continue;
-    report_word(task, letter, Code::SC3008, std::string(1, letter) + " is" + beyond(kLongest));
+    if (std::abs(task.values[letter] * task.modal.mm_per_unit) <= kLongestLength) continue;
+    report_word(task, letter, Code::SC3008,
+                std::string(1, letter) + " is" + beyond(kLongestLength));
     near = false;
   }
   return near;

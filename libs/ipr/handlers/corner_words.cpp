@@ -4,22 +4,16 @@
 // Chamfering".
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG00 = 0, kM02 = 20, kM30 = 300;
-
 bool makes_corners(const GCode& code) { return is_line_or_arc(code) && code.number != kG00; }
 
 bool ends_program(const GCode& code) {
   return code.letter == 'M' && (code.number == kM02 || code.number == kM30);
-}
-
-Plane plane_of(const GCode& code) {
-  constexpr int kG17 = 170, kG18 = 180;
-  return code.number == kG17 ? Plane::xy : code.number == kG18 ? Plane::zx : Plane::yz;
 }
 
 /// G28 and the like: codes that take the axes for something else than the second move.
@@ -68,7 +62,7 @@ void check_pending_corner(const Command& command, const Modal& modal, Output& ou
       return out.leave_corner(Code::SC2263, name + " follows, and not G01, G02 or G03");
     if (takes_axes(*code) || code->group == Group::cutter_compensation)
       return out.leave_corner(Code::SC2263, name + " comes before its second move");
-    if (code->group == Group::plane && plane_of(*code) != modal.plane)
+    if (code->group == Group::plane && selected_plane(*code) != modal.plane)
       return out.leave_corner(Code::SC2264, name + " changes the plane before its second move");
     if (ends_program(*code) && !command.values().letters().has_any(kAxisWords))
       return out.leave_corner(Code::SC2263, "the program ends");

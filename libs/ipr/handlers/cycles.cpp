@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/state/nearness.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG73 = 730, kG74 = 740, kG81 = 810, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850,
-              kG86 = 860, kG89 = 890;
 constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
 constexpr double kMostPecks = 1e4;        // of one line: its moves are made at once
 
@@ -140,7 +140,7 @@ bool has_kept_words(Task& task, const PlaneAxes& axes) {
   return all;
 }
 
-bool has_words(Task& task, const PlaneAxes& axes) {
+bool has_cycle_words(Task& task, const PlaneAxes& axes) {
   if (task.values.letters().has_any(kAxisWords)) return has_kept_words(task, axes);
   task.out.report(Code::SC2160, task.word.pos,
                   code_name(task.code) + " without a position: X, Y or Z");
@@ -231,11 +231,11 @@ bool has_possible_pecks(Task& task, const Holes& holes) {
 
 /// Of FANUC's controls, where a number without a point may count thousandths.
 void check_peck_unit(Task& task, const Holes& holes) {
-  constexpr double kLarge = 100;
+  constexpr double kLargePeck = 100;
   if (task.modal.peck_warned || !pecks(task.code) || !task.values.has('Q')) return;
   const Word& word = task.values.word('Q');
   const bool fits = holes.pecks.first <= holes.retract - holes.bottom;
-  if (has_point(task, word) || word.value < kLarge || fits) return;
+  if (has_point(task, word) || word.value < kLargePeck || fits) return;
   task.modal.peck_warned = true;
   task.out.report(Code::SC2211, word.pos,
                   "Q, the depth of a peck, is " + number_text(word.value) +
@@ -402,11 +402,10 @@ class CyclePath {
     go(rapid);
   }
   void go(bool rapid) {
-    constexpr double kShortest = 1e-9;  // mm
     Modal& modal = task_.modal;
     const AxisVector from = modal.beside ? modal.beside->tool : modal.position;
     const AxisVector end = modal.coordinates.to_machine(at_);
-    if ((end - from).lpNorm<Eigen::Infinity>() < kShortest) return;
+    if ((end - from).lpNorm<Eigen::Infinity>() < kShortestMove) return;
     emit_move(task_, softcnc::Line(from, end), rapid);
     ++blocks_;
     modal.position = end;
@@ -534,7 +533,7 @@ void canned_cycle(Task& task) {
   begin_motion(task);
   const auto count = repeats(task);
   check_feed(task);
-  if (!fitting || !count || !has_words(task, axes) || !goes_down(task, axes)) return;
+  if (!fitting || !count || !has_cycle_words(task, axes) || !goes_down(task, axes)) return;
   Holes holes = holes_of(task, axes, from, *count);
   place(task, holes);
   if (!is_possible(task, holes) || !spindle_turns(task)) return;

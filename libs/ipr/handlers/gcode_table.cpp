@@ -111,7 +111,7 @@ constexpr std::array<std::string_view, kGroups> kGroupNames{
 };
 static_assert(!kGroupNames.back().empty());
 
-constexpr GCode kTable[] = {
+constexpr GCode kCodeTable[] = {
     {'G', 0, Group::motion, order::motion, "XYZ", rapid,
      "Straight move on which only the axes limit."},
     {'G', 10, Group::motion, order::motion, "XYZ", feed_line, "Straight move at the feed."},
@@ -442,16 +442,16 @@ constexpr GCode kTable[] = {
 
 constexpr int kNumbers = 2000;  // G0 to G199.9
 constexpr std::uint8_t kNone = 0xFF;
-static_assert(std::size(kTable) < kNone);
+static_assert(std::size(kCodeTable) < kNone);
 
 using Index = std::array<std::uint8_t, kNumbers>;
 
 constexpr Index index_of(char letter) {
   Index index{};
   index.fill(kNone);
-  for (std::size_t row = 0; row < std::size(kTable); ++row)
-    if (kTable[row].letter == letter && kTable[row].number != kAnyNumber)
-      index[static_cast<std::size_t>(kTable[row].number)] = static_cast<std::uint8_t>(row);
+  for (std::size_t row = 0; row < std::size(kCodeTable); ++row)
+    if (kCodeTable[row].letter == letter && kCodeTable[row].number != kAnyNumber)
+      index[static_cast<std::size_t>(kCodeTable[row].number)] = static_cast<std::uint8_t>(row);
   return index;
 }
 
@@ -462,17 +462,20 @@ constexpr Index kMIndex = index_of('M');
 constexpr auto kWordIndex = [] {
   std::array<std::uint8_t, 26> index{};
   index.fill(kNone);
-  for (std::size_t row = 0; row < std::size(kTable); ++row)
-    if (kTable[row].number == kAnyNumber)
-      index[static_cast<std::size_t>(kTable[row].letter - 'A')] = static_cast<std::uint8_t>(row);
+  for (std::size_t row = 0; row < std::size(kCodeTable); ++row)
+    if (kCodeTable[row].number == kAnyNumber)
+      index[static_cast<std::size_t>(kCodeTable[row].letter - 'A')] =
+          static_cast<std::uint8_t>(row);
   return index;
 }();
 
-const GCode* row(std::uint8_t index) noexcept { return index == kNone ? nullptr : &kTable[index]; }
+const GCode* row(std::uint8_t index) noexcept {
+  return index == kNone ? nullptr : &kCodeTable[index];
+}
 
 }  // namespace
 
-std::span<const GCode> gcode_table() noexcept { return kTable; }
+std::span<const GCode> gcode_table() noexcept { return kCodeTable; }
 std::span<const std::string_view> order_names() noexcept { return kOrderNames; }
 
 std::string_view group_name(Group group) noexcept {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 
@@ -33,8 +34,6 @@ AxisVector end_in_machine(const Task& task) {
 }  // namespace
 
 namespace {
-
-constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
 PathMode path_mode_of(const Modal& modal) {
   return modal.stops_once ? PathMode::stop : modal.path_mode;
@@ -117,6 +116,13 @@ AxisVector end_in_program(const Task& task) {
 }
 
 }  // namespace
+
+bool has_word(Task& task, char letter, std::string_view what) {
+  if (task.values.has(letter)) return true;
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
+  return false;
+}
 
 bool has_point(const Task& task, const Word& word) {
   const auto column = static_cast<std::size_t>(word.pos.column) - 1;
@@ -222,7 +228,6 @@ void begin_motion(Task& task) {
 }
 
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
-  constexpr int kG28 = 280, kG30 = 300;
   const GCode* code = command.find(Group::non_modal);
   if (!is_fanuc_like(dialect) || code == nullptr) return false;
   return code->number == kG28 || code->number == kG30;

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "ipr/codes/axis_letters.hpp"
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/codes/gcode.hpp"
 #include "ipr/flow/flow.hpp"
 #include "ipr/lines/command.hpp"
@@ -70,6 +72,11 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
 void end_pending_curve(Modal& modal, Output& out);
 
 // work_offsets.cpp
+/// Returns the index of the work system that G54 to G59.3 select, by GCode::number.
+constexpr int system_index(int number) noexcept {
+  constexpr int kOfG59 = 5;
+  return number > kG59 ? kOfG59 + number - kG59 : (number - kG54) / kCodesPerNumber;
+}
 void select_work_system(Task& task);
 void select_further_system(Task& task);
 void use_machine_coordinates(Task& task);
@@ -144,7 +151,8 @@ void end_pending_points(Modal& modal, Output& out);
 // surface_words.cpp
 void ask_for_surface(Task& task);
 void cancel_surface(Task& task);
-/// Reads the words of G06.4 in the first block of G06.2.
+/// Reads the words of G06.4 in the first block of G06.2; R is the weight there.
+inline constexpr std::string_view kSurfaceWordsOfCurve = "DJHL";
 void ask_for_surface_of_curve(Task& task);
 /// Returns false, after one report, if a roughness is asked for while the spindle is at rest.
 /// `word` and `line` are those of the move.
@@ -184,6 +192,10 @@ struct PlacedWord {
 bool place_path(Modal& modal, Output& out, const PlacedWord& at, Path& path);
 
 // modes.cpp
+/// Returns the plane that G17, G18 or G19 selects.
+constexpr Plane selected_plane(const GCode& code) noexcept {
+  return code.number == kG17 ? Plane::xy : code.number == kG18 ? Plane::zx : Plane::yz;
+}
 void select_plane(Task& task);
 void use_inches(Task& task);
 void use_millimetres(Task& task);
@@ -207,9 +219,11 @@ void change_tool(Task& task);
 void name_tool(Task& task);
 void turn_spindle(Task& task);
 void switch_coolant(Task& task);
-/// Turns the spindle as M03, M04 or M05 (3 to 5) does.
+/// Turns the spindle as M03, M04 or M05 does.
+inline constexpr int kSpindleCw = 3, kSpindleCcw = 4, kSpindleOff = 5;
 void turn_spindle_as(Task& task, int number);
-/// Switches the coolant as M07, M08 or M09 (7 to 9) does.
+/// Switches the coolant as M07, M08 or M09 does.
+inline constexpr int kMist = 7, kFlood = 8, kCoolantOff = 9;
 void switch_coolant_as(Task& task, int number);
 void stop_program(Task& task);
 void stop_optionally(Task& task);
@@ -260,6 +274,8 @@ inline bool is_fanuc(const Task& task) noexcept { return is_fanuc_like(task.opti
 inline bool is_haas(const Task& task) noexcept { return task.options.dialect == Dialect::haas; }
 /// Returns the place of the word with this letter, or of the code if the line has none.
 SourcePos place_of(const Task& task, char letter);
+/// Returns false, after a report, if the line has no word with this letter, which gives `what`.
+bool has_word(Task& task, char letter, std::string_view what);
 /// Returns whether the word is written with a decimal point.
 bool has_point(const Task& task, const Word& word);
 /// Returns whether the word of a dwell counts milliseconds: P in the fanuc dialect, and in the haas

@@ -6,32 +6,25 @@
 #include <string>
 #include <vector>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/codes/transformation.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG71 = 710, kG72 = 720;
 constexpr int kMostHoles = 10000;  // of one line, as of a cycle
 
-bool lacks(Task& task, char letter, std::string_view what) {
-  if (task.values.has(letter)) return false;
-  task.out.report(Code::SC2005, task.word.pos,
-                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
-  return true;
-}
-
-bool has_words(Task& task) {
+bool has_pattern_words(Task& task) {
   const std::string_view of_i =
       task.code.number == kG72 ? "the distance between holes" : "the radius";
-  if (lacks(task, 'I', of_i)) return false;
-  if (lacks(task, 'L', "the number of holes")) return false;
+  if (!has_word(task, 'I', of_i)) return false;
+  if (!has_word(task, 'L', "the number of holes")) return false;
   if (task.values['I'] == 0) {
     report_word(task, 'I', Code::SC2007, "I, " + std::string(of_i) + ", must not be 0");
     return false;
   }
-  return task.code.number != kG71 || !lacks(task, 'K', "the angle between holes");
+  return task.code.number != kG71 || has_word(task, 'K', "the angle between holes");
 }
 
 bool has_cycle(Task& task) {
@@ -50,7 +43,7 @@ bool is_cartesian(Task& task) {
 }
 
 /// Beside a cycle the word across the plane is the bottom of its holes.
-bool lies_in_plane(Task& task, char across) {
+bool pattern_lies_in_plane(Task& task, char across) {
   if (!task.values.has(across) || task.command.has(Group::motion)) return true;
   report_word(task, across, Code::SC2004, std::string("unused word ") + across);
   return false;
@@ -74,7 +67,6 @@ AxisVector origin_of(const Task& task) {
 
 /// Degrees from one hole to the next: a negative radius runs clockwise.
 double turn_of(const Task& task, int count) {
-  constexpr double kFullTurn = 360;
   const double turn = task.code.number == kG71 ? task.values['K'] : kFullTurn / count;
   return std::copysign(1.0, task.values['I']) * turn;
 }
@@ -106,9 +98,9 @@ bool has_hole_pattern(const Command& command) noexcept {
 
 /// About the centre, or from the first hole on.
 void drill_pattern(Task& task) {
-  if (!has_cycle(task) || !has_words(task) || !is_cartesian(task)) return;
+  if (!has_cycle(task) || !has_pattern_words(task) || !is_cartesian(task)) return;
   const PlaneAxes axes = plane_axes(task.modal.plane);
-  if (!has_plane_axes(task, axes) || !lies_in_plane(task, axis_letter(axes.across))) return;
+  if (!has_plane_axes(task, axes) || !pattern_lies_in_plane(task, axis_letter(axes.across))) return;
   if (const auto count = number_of_holes(task)) drill_at(task, places_of(task, *count));
 }
 

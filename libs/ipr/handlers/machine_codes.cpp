@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr int kCodesPerNumber = 10;  // GCode::number counts tenths
-constexpr int kM03 = 3, kM04 = 4, kM05 = 5, kM07 = 7, kM08 = 8, kM09 = 9;
 
 int number_of(const Task& task) { return task.code.number / kCodesPerNumber; }
 const MachineCode& machine_code(const Task& task) {
@@ -22,14 +20,16 @@ void dwell_as_defined(Task& task) {
 
 void turn_spindle_as_defined(Task& task) {
   const SpindleTurn turn = machine_code(task).direction;
-  turn_spindle_as(task, turn == SpindleTurn::cw ? kM03 : turn == SpindleTurn::ccw ? kM04 : kM05);
+  turn_spindle_as(task, turn == SpindleTurn::cw    ? kSpindleCw
+                        : turn == SpindleTurn::ccw ? kSpindleCcw
+                                                   : kSpindleOff);
 }
 
 void switch_coolant_as_defined(Task& task) {
   const CoolantSwitch coolant = machine_code(task).coolant;
-  switch_coolant_as(task, coolant == CoolantSwitch::mist    ? kM07
-                          : coolant == CoolantSwitch::flood ? kM08
-                                                            : kM09);
+  switch_coolant_as(task, coolant == CoolantSwitch::mist    ? kMist
+                          : coolant == CoolantSwitch::flood ? kFlood
+                                                            : kCoolantOff);
 }
 
 void set_output_as_defined(Task& task) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 
@@ -52,12 +53,7 @@ bool is_possible_feed(Task& task, double feed) {
 
 }  // namespace
 
-void select_plane(Task& task) {
-  constexpr int kG17 = 170, kG18 = 180;
-  task.modal.plane = task.code.number == kG17   ? Plane::xy
-                     : task.code.number == kG18 ? Plane::zx
-                                                : Plane::yz;
-}
+void select_plane(Task& task) { task.modal.plane = selected_plane(task.code); }
 
 void use_inches(Task& task) { task.modal.mm_per_unit = kMmPerInch; }
 void use_millimetres(Task& task) { task.modal.mm_per_unit = 1; }
@@ -90,7 +86,6 @@ void follow_path_within(Task& task) {
 
 /// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.
 void switch_override(Task& task) {
-  constexpr int kM48 = 480, kM49 = 490, kM50 = 500, kM51 = 510;
   const int number = task.code.number;
   const bool on = number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
   if (number != kM51) task.modal.feed_override = on;
@@ -99,7 +94,6 @@ void switch_override(Task& task) {
 
 /// A change of mode leaves F unset.
 void select_feed_mode(Task& task) {
-  constexpr int kG93 = 930, kG95 = 950;
   const FeedMode mode = task.code.number == kG93   ? FeedMode::inverse_time
                         : task.code.number == kG95 ? FeedMode::per_turn
                                                    : FeedMode::per_minute;

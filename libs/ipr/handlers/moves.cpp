@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/state/nearness.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr double kShortest = 1e-9;  // mm: a shorter way is none
 
 /// After G40, a move across the plane alone: the tool stays beside the contour.
 bool stays_beside(const Task& task) {
@@ -20,7 +19,7 @@ void move_beside(Task& task, const AxisVector& programmed, bool rapid) {
   const int across = plane_axes(beside.plane).across;
   AxisVector to = beside.tool;
   to[across] = programmed[across];
-  if (std::abs(to[across] - beside.tool[across]) >= kShortest)
+  if (std::abs(to[across] - beside.tool[across]) >= kShortestMove)
     emit_move(task, softcnc::Line(beside.tool, to), rapid);
   beside.tool = to;
   task.modal.beside = beside;
@@ -92,7 +91,7 @@ bool follow_unmade_move(Task& task) {
     return;
   }
   const AxisVector from = task.modal.beside ? task.modal.beside->tool : task.modal.position;
-  if ((to - from).lpNorm<Eigen::Infinity>() < kShortest) return;
+  if ((to - from).lpNorm<Eigen::Infinity>() < kShortestMove) return;
   task.modal.position = to;
   emit_move(task, softcnc::Line(from, to), rapid);
 }

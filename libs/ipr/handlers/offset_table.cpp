@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // G10: writes into the tables of work systems and tools.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/state/offset_variables.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kRadPerDegree = std::numbers::pi / 180;
 constexpr int kFanucSystems = 6;  // G54 to G59
-constexpr std::size_t kG593 = kWorkSystems - 1;
+constexpr std::size_t kSystemOfG593 = kWorkSystems - 1;
 
 std::string form(const Task& task) { return "G10 L" + number_text(task.values['L']); }
 
@@ -164,7 +163,7 @@ bool set_tool_by_position(Task& task, bool fixture) {
   if (!number || !needs(task, "XYZR", "X, Y, Z or R")) return false;
   const Modal& modal = task.modal;
   ToolOffset& tool = tools_of(task).row(*number);
-  const WorkOffset work = fixture ? modal.state.work[kG593] : modal.work();
+  const WorkOffset work = fixture ? modal.state.work[kSystemOfG593] : modal.work();
   const AxisVector shift = fixture ? AxisVector::Zero() : modal.shift();
   return rename_position(
              task, tool.length,

@@ -2,12 +2,11 @@
 // Polar coordinates: G15 and G16, and LinuxCNC's words @ and ^. A move gets X and Y in their place.
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr int kG02 = 20, kG03 = 30, kG53 = 530;
 
 const Word& first_polar_word(const Command& command) {
   const Word* const radius = command.polar_word('@');
@@ -41,10 +40,8 @@ bool may_have_polar_words(Command& command, Output& out, const PlaneAxes& axes) 
 }
 
 Plane plane_of(const Command& command, const Modal& modal) {
-  constexpr int kG17 = 170, kG18 = 180;
   const GCode* code = command.find(Group::plane);
-  if (code == nullptr) return modal.plane;
-  return code->number == kG17 ? Plane::xy : code->number == kG18 ? Plane::zx : Plane::yz;
+  return code != nullptr ? selected_plane(*code) : modal.plane;
 }
 
 std::optional<double> value_of(const Word* word, double unit) {
@@ -121,9 +118,6 @@ bool resolve_polar_words(Task& task, Command& command) {
 }
 
 /// G15, G16.
-void switch_polar(Task& task) {
-  constexpr int kG16 = 160;
-  task.modal.polar = task.code.number == kG16;
-}
+void switch_polar(Task& task) { task.modal.polar = task.code.number == kG16; }
 
 }  // namespace softcnc::ipr

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG28 = 280, kG281 = 281;
 constexpr int kSecond = 2, kThird = 3, kFourth = 4;  // of G30 P
 
 /// P3 and P4 of G30 are parameters of a FANUC control, which no code sets.

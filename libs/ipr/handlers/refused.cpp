@@ -2,6 +2,7 @@
 // Codes that are known, and ask for what softcnc cannot do.
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
@@ -15,7 +16,7 @@ void report(Task& task, const std::string& why) {
 
 /// G33, G33.1, G76.
 void refuse_thread(Task& task) {
-  constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
+  // G76: a thread of LinuxCNC's, fine boring of FANUC's.
   if (task.code.number == kG76 && is_fanuc(task)) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
   task.modal.motion = task.modal.motion_below = nullptr;
@@ -37,7 +38,6 @@ void refuse_probing(Task& task) {
 
 /// G47, G150, M109.
 void refuse_of_haas(Task& task) {
-  constexpr int kG47 = 470, kG150 = 1500;
   if (task.code.number == kG47)
     return report(task, "it engraves a text or a serial number in the letters of the control");
   if (task.code.number == kG150)

@@ -4,12 +4,11 @@
 
 #include <utility>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr int kM73 = 730;
 
 /// rpm, positive clockwise.
 double turning(const Modes& modes) {

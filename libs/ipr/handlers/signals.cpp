@@ -4,24 +4,16 @@
 #include <algorithm>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kM53 = 530, kM62 = 620, kM63 = 630, kM64 = 640, kM67 = 670;
-constexpr int kCodesPerNumber = 10;  // GCode::number counts tenths
 constexpr std::string_view kAdaptiveFeed = "adaptive-feed", kFeedHold = "feed-hold";
 
 std::string port_text(SignalKind kind, std::string_view what, int number) {
   return std::string(name(kind)) + ' ' + std::string(what) + ' ' + std::to_string(number);
-}
-
-bool has_word(Task& task, char letter, const std::string& what) {
-  if (task.values.has(letter)) return true;
-  task.out.report(Code::SC2005, task.word.pos,
-                  code_name(task.code) + " needs " + std::string(1, letter) + ", " + what);
-  return false;
 }
 
 /// The output that the word with this letter names.

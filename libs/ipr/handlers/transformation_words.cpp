@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // G50, G51, G50.1, G51.1, G68, G69: what is put in force, and what may not be done meanwhile.
-#include <array>
 #include <cmath>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/state/nearness.hpp"
 #include "ipr/state/transformed_path.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr double kLeastFactor = 1e-5, kMostFactor = 1e4;
-constexpr double kShortest = 1e-9;  // mm: a shorter line is none
 constexpr std::string_view kFactorLetters = "IJK";
 
 /// The present position as these stages show it, mm: a centre that is not written.
@@ -39,7 +39,7 @@ bool refuse_order(Task& task) {
   return false;
 }
 
-bool lies_in_plane(Task& task) {
+bool has_no_word_across(Task& task) {
   const char across = axis_letter(plane_axes(task.modal.plane).across);
   if (!task.values.has(across)) return true;
   report_word(task, across, Code::SC2004,
@@ -53,7 +53,7 @@ bool turns_in_plane(Task& task) {
                     "G68 with I, J or K turns in space, which is not supported");
     return false;
   }
-  if (!lies_in_plane(task)) return false;
+  if (!has_no_word_across(task)) return false;
   if (task.values.has('R')) return true;
   task.out.report(Code::SC2005, task.word.pos, "G68 needs R, the angle");
   return false;
@@ -114,23 +114,16 @@ std::optional<AxisVector> read_factors(Task& task) {
   return factors;
 }
 
-constexpr int kG10 = 100, kG17 = 170, kG19 = 190, kG28 = 280, kG30 = 300, kG52 = 520, kG53 = 530,
-              kG54 = 540, kG541 = 541, kG593 = 593, kG92 = 920, kG923 = 923;
-
 bool selects_other_system(const Task& task) {
-  constexpr int kG59 = 590, kFirstTenth = 5;
   const int number = task.code.number;
   const bool further_by_p = number == kG54 && is_fanuc(task) && task.values.has('P');
   const bool is_basic = number == kG54 || (number > kG54 && number <= kG593 && number != kG541);
   if (!is_basic || further_by_p) return true;
-  const int index = number > kG59 ? kFirstTenth + number - kG59 : (number - kG54) / 10;
-  return index != task.modal.state.active;
+  return system_index(number) != task.modal.state.active;
 }
 
 bool selects_other_plane(const Task& task) {
-  constexpr std::array kPlanes{Plane::xy, Plane::zx, Plane::yz};
-  const auto index = static_cast<std::size_t>((task.code.number - kG17) / 10);
-  return task.modal.transformation.rotation && kPlanes[index] != task.modal.plane;
+  return task.modal.transformation.rotation && selected_plane(task.code) != task.modal.plane;
 }
 
 /// G10 of the work system in force, and those that go by the position.
@@ -142,7 +135,7 @@ bool moves_coordinates(const Task& task) {
 }
 
 /// What FANUC's manual forbids meanwhile.
-bool is_refused(const Task& task) {
+bool is_refused_while_transformed(const Task& task) {
   const int number = task.code.number;
   if (task.code.letter != 'G') return false;
   if (number >= kG17 && number <= kG19) return selects_other_plane(task);
@@ -165,7 +158,7 @@ bool refuse_path(Output& out, const PlacedWord& at, Code code, std::string messa
 bool has_no_length(const Path& path, const AffineMap& map) {
   const auto* line = std::get_if<softcnc::Line>(&path);
   return line != nullptr &&
-         (map.linear * (line->to() - line->from())).lpNorm<Eigen::Infinity>() < kShortest;
+         (map.linear * (line->to() - line->from())).lpNorm<Eigen::Infinity>() < kShortestMove;
 }
 
 }  // namespace
@@ -231,7 +224,7 @@ void end_mirror(Task& task) {
 }
 
 bool may_be_transformed(Task& task) {
-  if (!is_refused(task)) return true;
+  if (!is_refused_while_transformed(task)) return true;
   if (task.code.number == kG53) task.modal.machine_coordinates = true;
   task.out.report(
       Code::SC2251, task.word.pos,

@@ -3,15 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG00 = 0, kG01 = 10;  // as GCode::number
-constexpr int kG54 = 540, kG59 = 590, kWhole = 10;
-constexpr int kFirstTenth = 6;  // index of G59.1
-constexpr int kG110 = 1100, kG154 = 1540;
 constexpr int kMostOfHaas = 99;  // G154 P
 
 AxisVector shift_in_force(const MachineState& state) {
@@ -95,14 +92,15 @@ void select_work_system(Task& task) {
   const bool further =
       number == kG54 && is_fanuc(task) && task.values.has('P') && other_user_of_p(task) == nullptr;
   if (further) return select_further_system(task);
-  select_system(task, number > kG59 ? kFirstTenth + number - kG59 - 1 : (number - kG54) / kWhole);
+  select_system(task, system_index(number));
 }
 
 /// G54.1 P, G154 P, G110 to G129.
 void select_further_system(Task& task) {
   const int code = task.code.number;
   const bool by_code = code >= kG110 && code < kG154;
-  const auto number = by_code ? std::optional((code - kG110) / kWhole + 1) : further_number(task);
+  const auto number =
+      by_code ? std::optional((code - kG110) / kCodesPerNumber + 1) : further_number(task);
   if (number) select_system(task, kWorkSystems + *number - 1);
 }
 

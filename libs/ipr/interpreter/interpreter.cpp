@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/dialects/dialect_guess.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/lines/beyond_grbl.hpp"
@@ -72,10 +73,7 @@ Folders folders_of(const InterpreterOptions& options, const ProgramReading& read
   return folders;
 }
 
-bool is_straight(const GCode& code) noexcept {
-  constexpr int kG01 = 10;
-  return code.letter == 'G' && code.number <= kG01;
-}
+bool is_straight(const GCode& code) noexcept { return code.letter == 'G' && code.number <= kG01; }
 
 }  // namespace
 
@@ -289,7 +287,6 @@ void Interpreter::lose_motion() noexcept {
 
 /// There G53 is a rapid, whatever motion is in force.
 bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
-  constexpr int kG53 = 530;
   const GCode* code = command_.find(Group::non_modal);
   return is_fanuc_like(options_.dialect) && code != nullptr && code->number == kG53;
 }
@@ -317,7 +314,6 @@ void Interpreter::find_motion() {
 
 /// FANUC's G10 L50 and L52, which are refused: up to G11 lines hold parameters and their values.
 bool Interpreter::begins_data_input() const noexcept {
-  constexpr int kG10 = 100;
   const GCode* code = command_.find(Group::non_modal);
   const double what = command_.values().value_or('L', 0);
   const bool refused = what == 50 || what == 52;

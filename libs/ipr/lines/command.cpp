@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/lines/operands.hpp"
 #include "ipr/text/text_errors.hpp"
 #include "motion/model/machine_code.hpp"
@@ -45,7 +46,6 @@ std::string lines_of_machine(const Word& code, std::span<const Word> words) {
 }
 
 bool is_refused_probing(const GCode& code) noexcept {
-  constexpr int kG31 = 310, kG382 = 382, kG385 = 385;
   return code.letter == 'G' &&
          (code.number == kG31 || (code.number >= kG382 && code.number <= kG385));
 }

@@ -2,16 +2,10 @@
 #include "ipr/lines/operands.hpp"
 
 #include "ipr/codes/axis_letters.hpp"
+#include "ipr/codes/code_numbers.hpp"
 
 namespace softcnc::ipr {
 namespace {
-
-constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
-constexpr int kG10 = 100, kG12 = 120, kG13 = 130, kG31 = 310, kG28 = 280, kG30 = 300, kG40 = 400,
-              kG411 = 411, kG421 = 421, kG43 = 430, kG432 = 432, kG47 = 470, kG52 = 520, kG53 = 530,
-              kG65 = 650, kG74 = 740, kG84 = 840, kG150 = 1500;
-constexpr int kG501 = 501, kG511 = 511, kG68 = 680;
-constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
 Unknown named_axes(const Command& command) noexcept {
   Unknown named;
@@ -23,7 +17,6 @@ Unknown named_axes(const Command& command) noexcept {
 
 /// Whether it may be a further line of a curve that an earlier one has begun.
 bool may_go_on(const GCode& code, const Command& command) noexcept {
-  constexpr int kG052 = 52, kG061 = 61, kG062 = 62;
   const LetterSet given = command.values().letters();
   return (code.number == kG062 && !given.has('P')) || (code.number == kG052 && !given.has('L')) ||
          code.number == kG061;

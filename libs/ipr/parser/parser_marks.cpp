@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/codes/code_numbers.hpp"
 #include "ipr/codes/gcode.hpp"
 #include "ipr/parser/parser.hpp"
 #include "ipr/text/text_errors.hpp"
@@ -103,7 +104,7 @@ void Parser::refuse_exponent(Lexer& lexer, const Token& letter) {
   const auto written = line_.text.substr(static_cast<std::size_t>(word.pos.column) - 1,
                                          static_cast<std::size_t>(end - word.pos.column));
   give_up(Code::SC1006, word.pos.column, end - word.pos.column,
-          quoted(written) + " has an exponent; write the number out");
+          in_quotes(written) + " has an exponent; write the number out");
 }
 
 /// What is neither a keyword nor a letter and its value; false where it is none.
@@ -112,8 +113,8 @@ bool Parser::refuse_name(const Token& letter) {
   if (!is_name(line_.text, letter, letters)) return false;
   give_up(Code::SC1020, letter.column, static_cast<int>(letters.size()),
           writes_to_device(letters)
-              ? quoted(letters) + " writes to a device, and there is none"
-              : quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
+              ? in_quotes(letters) + " writes to a device, and there is none"
+              : in_quotes(letters) + " is no keyword and no function" + title_meant(line_.number));
   if (writes_to_device(letters)) line_.unread = {};
   return true;
 }
@@ -160,7 +161,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       return read_slash(lexer, mark);
     case Token::Kind::number:
       give_up(Code::SC1007, mark,
-              "the number " + quoted(text_of(line_.text, mark)) + " has no letter before it");
+              "the number " + in_quotes(text_of(line_.text, mark)) + " has no letter before it");
       break;
     case Token::Kind::macro:
       return read_macro(lexer, mark);
@@ -212,7 +213,7 @@ bool Parser::refuse_sender_line() {
   const std::string_view marked = line_.text.substr(begin);
   const auto length = static_cast<int>(marked.find_last_not_of(" \t") + 1);
   give_up(Code::SC1054, static_cast<int>(begin) + 1, length,
-          quoted(marked.substr(0, static_cast<std::size_t>(length))) +
+          in_quotes(marked.substr(0, static_cast<std::size_t>(length))) +
               (whole ? " is a line for a sender of grbl" : " is a checksum of a sender") +
               "; --dialect grbl skips " + (whole ? "such lines" : "checksums"));
   return true;
@@ -243,7 +244,6 @@ void Parser::read_nul(const Token& nul) {
 }
 
 bool Parser::calls_program() const {
-  constexpr int kM98 = 980;
   return std::any_of(words_.begin(), words_.end(), [](const Word& word) {
     const GCode* code = find_gcode(word.letter, word.value);
     return code != nullptr && (calls_macro(*code) || (code->letter == 'M' && code->number == kM98));
@@ -297,7 +297,7 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
     give_up(Code::SC1017, mark, "this ']' has no '['");
   else
     give_up(Code::SC1001, mark,
-            quoted(text) + " has no place here" + (name && !fanuc ? kFanucName : ""));
+            in_quotes(text) + " has no place here" + (name && !fanuc ? kFanucName : ""));
   return {};
 }
 

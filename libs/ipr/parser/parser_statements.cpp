@@ -13,7 +13,6 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kAlarm = 3000, kMessage = 3006;  // FANUC
-constexpr double kM99 = 99;
 constexpr int kToolValues = 2001, kToolValuesEnd = 2401;
 
 /// In the fanuc dialect to assign to it ends or stops the program.
@@ -43,7 +42,7 @@ Parameters::Access access_to(const Variable& variable, const Parameters& paramet
                                : parameters.access(variable.name);
 }
 
-void write(const Variable& variable, double value, Parameters& parameters) {
+void write_variable(const Variable& variable, double value, Parameters& parameters) {
   if (variable.name.empty())
     parameters.write(variable.number, value);
   else
@@ -124,7 +123,7 @@ bool Parser::refuse_late_statement(Lexer& lexer, const Token& letter) {
   const auto written = line_.text.substr(static_cast<std::size_t>(late.pos.column) - 1,
                                          static_cast<std::size_t>(late.pos.length));
   give_up(Code::SC1029, late.pos.column, late.pos.length,
-          quoted(written) + " after words: a statement begins its line");
+          in_quotes(written) + " after words: a statement begins its line");
   return true;
 }
 
@@ -155,8 +154,8 @@ Token Parser::read_after_condition(Lexer& lexer, const StatementReader& reader, 
 /// of the program, or another M99.
 const Word* Parser::word_of_jump() const noexcept {
   const auto met = [](const Word& word) {
-    return word.letter == 'P' ||
-           (word.letter == 'M' && (word.value == 2 || word.value == 30 || word.value == kM99));
+    return word.letter == 'P' || (word.letter == 'M' && (word.value == 2 || word.value == 30 ||
+                                                         word.value == kReturnNumber));
   };
   const auto found = std::find_if(words_.begin(), words_.end(), met);
   return found == words_.end() ? nullptr : &*found;
@@ -181,15 +180,15 @@ std::optional<Token> Parser::read_late_jump(Lexer& lexer, const Token& letter) {
     return Token{};
   }
   if (const Word* other = word_of_jump()) {
-    give_up(
-        Code::SC1029, jump.pos.column, jump.pos.length,
-        "GOTO after " + quoted(std::string(1, other->letter)) + ": write it on a line of its own");
+    give_up(Code::SC1029, jump.pos.column, jump.pos.length,
+            "GOTO after " + in_quotes(std::string(1, other->letter)) +
+                ": write it on a line of its own");
     return Token{};
   }
   report(reader.error());
   line_.broken = line_.broken || jump.unknown;
   if (!jump.unknown && !jump.condition) return Token{};
-  words_.push_back({'M', kM99, jump.pos});
+  words_.push_back({'M', kReturnNumber, jump.pos});
   if (jump.unknown)
     line_.unread.add('P');
   else
@@ -379,7 +378,7 @@ void Parser::note(const std::optional<OtherValue>& other) {
 
 void Parser::apply_assignments() {
   started_ = true;
-  for (const auto& [variable, value] : assignments_) write(variable, value, parameters_);
+  for (const auto& [variable, value] : assignments_) write_variable(variable, value, parameters_);
   assignments_.clear();
 }
 

@@ -70,7 +70,7 @@ bool Parser::refuse_operation(Lexer& lexer, int begin) {
   const auto written =
       line_.text.substr(static_cast<std::size_t>(begin) - 1, static_cast<std::size_t>(length));
   give_up(Code::SC1017, begin, length,
-          quoted(written) + " needs '[' before it" + (closed ? "" : " and ']' after it"));
+          in_quotes(written) + " needs '[' before it" + (closed ? "" : " and ']' after it"));
   return true;
 }
 

@@ -12,6 +12,8 @@
 
 namespace softcnc::ipr {
 
+inline constexpr double kReturnNumber = 99;  // of M99, as a word has it
+
 struct Statement {
   enum class Kind : std::uint8_t {
     none,

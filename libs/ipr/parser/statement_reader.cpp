@@ -38,7 +38,6 @@ constexpr Keyword kKeywords[] = {
 };
 
 constexpr const char* kLabel = "a label is a whole number from 0";
-constexpr double kWhole = 1e-4;  // how far from a whole number a label may be
 constexpr double kLargestLabel = 1e9;
 
 const Keyword* take_keyword(Lexer& lexer) {
@@ -73,7 +72,7 @@ bool is_word(Lexer lexer) {
 
 std::optional<std::string> whole_text(double value) {
   const double whole = std::round(value);
-  if (!(std::abs(value - whole) <= kWhole) || whole < 0 || whole > kLargestLabel)
+  if (!(std::abs(value - whole) <= kWholeTolerance) || whole < 0 || whole > kLargestLabel)
     return std::nullopt;
   return std::to_string(static_cast<long>(whole));
 }
@@ -93,8 +92,7 @@ std::string without_leading_zeros(std::string digits) {
 /// M99, which Haas' controls make conditional: "Conditional expressions" of Haas' manual.
 bool at_m99(Lexer lexer) {
   if (!lexer.take('M') || !is_digit(lexer.peek())) return false;
-  constexpr double kM99 = 99;
-  return lexer.take_number().value == kM99;
+  return lexer.take_number().value == kReturnNumber;
 }
 
 /// Of a loop: a variable is none.

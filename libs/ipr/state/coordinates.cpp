@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 namespace {
 
-AxisVector turned(const AxisVector& v, double cosine, double sine) noexcept {
+AxisVector turned_about_z(const AxisVector& v, double cosine, double sine) noexcept {
   return {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1], v[2]};
 }
 
@@ -28,11 +28,11 @@ AxisVector Coordinates::to_machine(const AxisVector& program) const noexcept {
 
 AxisVector Coordinates::to_program(const AxisVector& machine) const noexcept {
   if (!rotated()) return machine - sum_;
-  return turned(machine - moved_, cosine_, -sine_) - shift_;
+  return turned_about_z(machine - moved_, cosine_, -sine_) - shift_;
 }
 
 AxisVector Coordinates::direction(const AxisVector& program) const noexcept {
-  return rotated() ? turned(program, cosine_, sine_) : program;
+  return rotated() ? turned_about_z(program, cosine_, sine_) : program;
 }
 
 }  // namespace softcnc::ipr

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ipr/state/modal.hpp"
 
+#include "ipr/state/nearness.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
@@ -20,7 +22,6 @@ AffineMap in_machine(const AffineMap& map, const Coordinates& coordinates) {
 
 /// The end of the last move exactly, where it is that.
 AxisVector Modal::placed_position() const noexcept {
-  constexpr double kSamePoint = 1e-9;  // mm
   const AxisVector place = placement->map(position);
   const bool same = (place - placement->reached).lpNorm<Eigen::Infinity>() < kSamePoint;
   return same ? placement->reached : place;

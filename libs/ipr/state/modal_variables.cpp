@@ -21,7 +21,7 @@ constexpr int kFirstPosition = 5420, kPositionEnd = 5429;
 constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041, kLength = 5081, kCommon = 5201;
 // FANUC: switches of the control that change nothing here; codes in force.
 constexpr int kNoSingleBlock = 3003, kNoHold = 3004;
-constexpr int kCodes = 4000;
+constexpr int kCodeVariables = 4000;
 
 bool is_local_shift(int number, Dialect dialect) {
   return dialect == Dialect::haas && axis_in(number, kCommon) >= 0;
@@ -50,9 +50,9 @@ double work_position(const Modal& modal, int axis) {
 }
 
 double motion_mode(const Modal& modal) {
-  constexpr double kNone = 800;
+  constexpr double kNoMotion = 800;
   if (modal.unknown.has(Part::motion)) return kUnknown;
-  return modal.motion != nullptr ? modal.motion->number : kNone;
+  return modal.motion != nullptr ? modal.motion->number : kNoMotion;
 }
 
 /// The value that depends on a part of the state.
@@ -97,8 +97,8 @@ double selected_tool(const Modal& modal) {
 
 /// Without a tool table with pockets of its own, a tool stands in the pocket of its number.
 double selected_pocket(const Modal& modal) {
-  constexpr double kNone = -1;
-  return modal.unknown.has(Part::tool) ? kUnknown : modal.tool.value_or(kNone);
+  constexpr double kNoPocket = -1;
+  return modal.unknown.has(Part::tool) ? kUnknown : modal.tool.value_or(kNoPocket);
 }
 
 double loaded_tool(const Modal& modal) {
@@ -132,7 +132,7 @@ double zero(const Modal&) { return 0; }
 double one(const Modal&) { return 1; }
 
 /// Those of LinuxCNC 2.9. What nothing can change yet is constant.
-constexpr Named kNames[] = {
+constexpr Named kNamedVariables[] = {
     {"_a", zero},
     {"_abs_a", zero},
     {"_abs_b", zero},
@@ -265,7 +265,7 @@ constexpr Coded kFanucCodes[] = {
 }  // namespace
 
 std::optional<double> ModalVariables::read(std::string_view name) const {
-  for (const Named& row : kNames)
+  for (const Named& row : kNamedVariables)
     if (row.name == name) return row.read(modal_);
   return std::nullopt;
 }
@@ -339,7 +339,7 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
     return modal_.state.work_system(of_system->index).origin[of_system->axis] / unit();
   if (number == kNoSingleBlock || number == kNoHold) return 0;
   for (const Coded& row : kFanucCodes)
-    if (kCodes + row.number == number) return row.read(modal_);
+    if (kCodeVariables + row.number == number) return row.read(modal_);
   return std::nullopt;
 }
 

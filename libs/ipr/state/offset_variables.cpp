@@ -2,7 +2,6 @@
 // RS274: ranges of one number per axis (X Y Z, then six axes that softcnc lacks, then a rotation).
 #include "ipr/state/offset_variables.hpp"
 
-#include <numbers>
 #include <span>
 
 namespace softcnc::ipr {
@@ -10,7 +9,6 @@ namespace {
 
 constexpr int kHome = 5161, kSecondHome = 5181, kShift = 5211;
 constexpr int kWork = 5221, kWorkStep = 20, kRotation = 9;
-constexpr double kRadPerDegree = std::numbers::pi / 180;
 
 double& length(ToolOffset& tool) { return tool.length[2]; }
 double& length_wear(ToolOffset& tool) { return tool.length_wear; }

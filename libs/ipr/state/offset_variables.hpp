@@ -3,6 +3,7 @@
 // tools.
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "ipr/expressions/dialect.hpp"
@@ -10,6 +11,8 @@
 #include "motion/model/machine_state.hpp"
 
 namespace softcnc::ipr {
+
+inline constexpr double kRadPerDegree = std::numbers::pi / 180;
 
 /// A value of the tables, in mm or degrees: `*value` is that times `unit`, and at most `limit` from
 /// 0.

@@ -8,14 +8,16 @@
 #include <string>
 #include <utility>
 
+#include "ipr/state/nearness.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kRounding = 1e-12;     // of the entries of a matrix, relative
-constexpr double kMostSegments = 4999;  // of an arc: less than 10000 control points
+constexpr double kMatrixRounding = 1e-12;  // of the entries of a matrix, relative
+constexpr double kMostSegments = 4999;     // of an arc: less than 10000 control points
 
 bool is_zero(const Eigen::Matrix3d& m, double entry) {
-  return std::abs(entry) <= kRounding * m.lpNorm<Eigen::Infinity>();
+  return std::abs(entry) <= kMatrixRounding * m.lpNorm<Eigen::Infinity>();
 }
 
 /// Whether directions within the plane stay there, and the one across it stays across.
@@ -44,7 +46,6 @@ AxisVector end_beside(const Arc& arc, const AffineMap& map, const AxisVector& st
 }
 
 AxisVector start_near(const AxisVector& start, const AxisVector& wanted) {
-  constexpr double kSamePoint = 1e-9;  // mm
   return (start - wanted).lpNorm<Eigen::Infinity>() < kSamePoint ? start : wanted;
 }
 
@@ -127,7 +128,7 @@ double pieces_of(const Arc& arc, const AffineMap& map) {
   const double off = kOff * rise * map.linear.col(axes.across).norm();
   double half = std::numbers::pi / 4;
   if (off > 0) half = std::min(half, std::cbrt(kHelixTolerance * sweep / off));
-  return std::ceil(sweep / (2 * half) - kRounding);
+  return std::ceil(sweep / (2 * half) - kMatrixRounding);
 }
 
 Result<Path> as_path(NurbsSpec spec) {

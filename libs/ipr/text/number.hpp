@@ -21,6 +21,9 @@ struct Number {
   NumberError error = NumberError::none;
 };
 
+/// How far from a whole number the number of a variable or a label may be.
+inline constexpr double kWholeTolerance = 1e-4;
+
 inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberError::too_large
 
 inline constexpr std::string_view kBlanks = " \t\v\f";

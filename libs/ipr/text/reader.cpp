@@ -22,8 +22,7 @@ namespace {
 constexpr std::size_t kBufferSize = 65536;
 static_assert(kBufferSize > 2 * Reader::kLongestLine);
 constexpr int kBetweenLooks = 100;  // ms: so long a pipe is waited for at a time
-constexpr int kMostLines = std::numeric_limits<int>::max() - 1;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr int kMostTextLines = std::numeric_limits<int>::max() - 1;
 constexpr char kEndMark = '\x1A';
 constexpr std::string_view kBlanksAndEndMarks = " \t\v\f\x1A";
 constexpr std::string_view kAfterEndMark = " \t\v\f\x1A\r\n";
@@ -142,7 +141,7 @@ Reader Reader::from_text(std::string text) {
 
 /// Which is a failure: a line has a number.
 bool Reader::has_too_many_lines() {
-  if (line_ < kMostLines) return false;
+  if (line_ < kMostTextLines) return false;
   failure_ = cannot_read(Code::SC6002, "more than 2147483646 lines", EFBIG);
   return true;
 }

@@ -16,6 +16,8 @@
 
 namespace softcnc::ipr {
 
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
+
 /// Reads a text line by line. Lines end with LF, CRLF or a lone CR; the last one may end without. A
 /// UTF-8 byte order mark is left out, and so are bytes of 0x1A (Ctrl-Z, by which DOS ended a text)
 /// at the end of the text.

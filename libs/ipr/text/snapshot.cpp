@@ -43,7 +43,7 @@ std::ptrdiff_t read_at(int file, char* to, std::size_t size, std::int64_t offset
   return got;
 }
 
-bool write(int file, const char* bytes, std::size_t size) {
+bool write_all(int file, const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t written = ::write(file, bytes, size);
     if (written < 0 && errno == EINTR) continue;
@@ -72,7 +72,7 @@ Status copy(int from, int to, std::int64_t begin, std::int64_t end) {
     const std::ptrdiff_t got = read_at(from, piece.data(), wanted, begin);
     if (got < 0) return unreadable();
     if (got == 0) break;
-    if (!write(to, piece.data(), static_cast<std::size_t>(got))) return no_room();
+    if (!write_all(to, piece.data(), static_cast<std::size_t>(got))) return no_room();
     begin += got;
   }
   return {};
@@ -100,7 +100,7 @@ Result<Snapshot> Snapshot::of(int file, std::int64_t begin) {
 Result<Snapshot> Snapshot::of(std::string_view text) {
   Snapshot snapshot(open_for(static_cast<std::int64_t>(text.size())));
   if (snapshot.descriptor_ < 0) return no_room();
-  if (!write(snapshot.descriptor_, text.data(), text.size())) return no_room();
+  if (!write_all(snapshot.descriptor_, text.data(), text.size())) return no_room();
   return snapshot;
 }
 

@@ -10,7 +10,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::size_t kLongestShown = 24;  // bytes of a bad word repeated in a message
+constexpr std::size_t kLongestWordShown = 24;  // bytes of a bad word repeated in a message
 constexpr std::string_view kUtf16 = "UTF-16", kUtf32 = "UTF-32";
 constexpr std::size_t kZerosOfUtf32 = 3;  // beside a character of ASCII
 
@@ -28,13 +28,15 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most)) + "...";
 }
 
-std::string quoted(std::string_view text) { return "'" + shortened(text, kLongestShown) + "'"; }
+std::string in_quotes(std::string_view text) {
+  return "'" + shortened(text, kLongestWordShown) + "'";
+}
 
 std::string character_name(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character.front());
   std::array<char, 16> text{};
   if (character.size() == 1) {
-    if (byte > 0x20U && byte < 0x7FU) return quoted(character);
+    if (byte > 0x20U && byte < 0x7FU) return in_quotes(character);
     std::snprintf(text.data(), text.size(), "byte 0x%02X", byte);
     return text.data();
   }
@@ -42,7 +44,7 @@ std::string character_name(std::string_view character) {
   for (const char c : character.substr(1))
     point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
   std::snprintf(text.data(), text.size(), " (U+%04X)", point);
-  return quoted(character) + text.data();
+  return in_quotes(character) + text.data();
 }
 
 std::string_view wide_encoding(std::string_view first_line) {
@@ -67,13 +69,15 @@ TextError wide_error(std::string_view encoding) {
 TextError number_error(NumberError error, std::string_view written, std::string_view after) {
   switch (error) {
     case NumberError::no_digits:
-      return {Code::SC1002, "no number after " + std::string(after) + ", only " + quoted(written)};
+      return {Code::SC1002,
+              "no number after " + std::string(after) + ", only " + in_quotes(written)};
     case NumberError::sign_inside:
-      return {Code::SC1003, "a sign inside the number " + quoted(written)};
+      return {Code::SC1003, "a sign inside the number " + in_quotes(written)};
     case NumberError::two_points:
-      return {Code::SC1004, "two decimal points in " + quoted(written)};
+      return {Code::SC1004, "two decimal points in " + in_quotes(written)};
     default:
-      return {Code::SC1005, quoted(written) + " has more than " + std::to_string(kIntegerDigits) +
+      return {Code::SC1005, in_quotes(written) + " has more than " +
+                                std::to_string(kIntegerDigits) +
                                 " digits before the decimal point"};
   }
 }

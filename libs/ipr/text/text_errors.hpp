@@ -14,7 +14,7 @@ namespace softcnc::ipr {
 std::string shortened(std::string_view text, std::size_t most);
 
 /// Returns the text in quotes, cut where it is long.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Returns the name of a character for a message: itself in quotes, with its code point beyond
 /// ASCII, or the value of its byte.

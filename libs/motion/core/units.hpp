@@ -7,6 +7,7 @@
 namespace softcnc {
 
 inline constexpr double kMmPerInch = 25.4;
+inline constexpr double kTurn = 2 * std::numbers::pi;  // rad
 
 constexpr double mm_from_inch(double inch) noexcept { return inch * kMmPerInch; }
 constexpr double mm_from_um(double um) noexcept { return um / 1000.0; }
@@ -14,7 +15,7 @@ constexpr double um_from_mm(double mm) noexcept { return mm * 1000.0; }
 constexpr double mm_s_from_mm_min(double mm_min) noexcept { return mm_min / 60.0; }
 constexpr double mm_min_from_mm_s(double mm_s) noexcept { return mm_s * 60.0; }
 constexpr double per_s_from_rpm(double rpm) noexcept { return rpm / 60.0; }
-constexpr double rad_s_from_rpm(double rpm) noexcept { return rpm * 2 * std::numbers::pi / 60; }
+constexpr double rad_s_from_rpm(double rpm) noexcept { return rpm * kTurn / 60; }
 constexpr double s_from_h(double h) noexcept { return h * 3600.0; }
 constexpr double h_from_s(double s) noexcept { return s / 3600.0; }
 constexpr double s_from_ms(double ms) noexcept { return ms / 1000.0; }

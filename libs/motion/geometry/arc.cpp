@@ -19,8 +19,8 @@ namespace {
 constexpr double kSamePoint = 1e-9;
 /// Radii that differ by less are equal except for rounding. mm.
 constexpr double kSameRadius = 1e-12;
-constexpr int kNewtonSteps = 8;
-constexpr double kLastStep = 1e-9;  // relative
+constexpr int kEllipseSteps = 8;
+constexpr double kLastEllipseStep = 1e-9;  // relative
 
 using InPlane = Eigen::Vector2d;
 
@@ -139,11 +139,11 @@ double Arc::part_at(double s, double radius, double growth) const noexcept {
   const double v0 = speed(radius);
   const double v1 = speed(radius + growth);
   double part = 2.0 * s / (v0 + std::sqrt(std::max(0.0, v0 * v0 + 2.0 * (v1 - v0) * s)));
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  for (int i = 0; i < kEllipseSteps; ++i) {
     const double there = radius + growth * part;
     const double step = (s - part * mean_speed(radius, there)) / speed(there);
     part = std::clamp(part + step, 0.0, 1.0);
-    if (std::abs(step) <= kLastStep * part) break;  // the next one would be rounding
+    if (std::abs(step) <= kLastEllipseStep * part) break;  // the next one would be rounding
   }
   return part;
 }

@@ -8,10 +8,10 @@
 namespace softcnc {
 namespace {
 
-constexpr int kFew = 8;              // samples that may suffice for a span
-constexpr int kMaxDepth = 200;       // halvings of a span
-constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
-constexpr int kNewtonSteps = 8;
+constexpr int kFew = 8;                  // samples that may suffice for a span
+constexpr int kMostHalvings = 200;       // halvings of a span
+constexpr double kShortestCell = 1e-14;  // of the length: cells below are taken linear
+constexpr int kInversionSteps = 8;
 constexpr double kTrifle = 0.02;       // of a tolerance: terms that change nothing
 constexpr double kSlopeTrifle = 1e-9;  // of the speed: in the slope of Newton's method
 
@@ -53,7 +53,7 @@ ChebyshevSeries<n> invert(const Forward<n>& forward, double tolerance) {
   const auto ds_terms = without_trifles(forward.ds, kSlopeTrifle * forward.fastest);
   const Samples s = 0.5 * forward.length * (1.0 + chebyshev_nodes<n>());
   Samples x = chebyshev_nodes<n>();
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  for (int i = 0; i < kInversionSteps; ++i) {
     const Samples miss = evaluate_chebyshev(s_terms, x) - s;
     x = (x - miss / evaluate_chebyshev(ds_terms, x)).max(-1.0).min(1.0);
     if ((miss.abs() <= tolerance).all()) break;
@@ -143,12 +143,12 @@ std::optional<ArcLengthMap> ArcLengthMap::Builder::build() {
 void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, int depth) {
   const Forward<kTerms> f = forward<kTerms>(first, width);
   if (keep_if_exact(first, width, f)) return;
-  if (f.length + f.error <= kShortest * scale_) {
+  if (f.length + f.error <= kShortestCell * scale_) {
     keep_linear(first, width, f.length);
     return;
   }
   const double half = 0.5 * width;
-  failed_ = !std::isfinite(f.length) || depth >= kMaxDepth || map_.cells_.size() >= most_cells_;
+  failed_ = !std::isfinite(f.length) || depth >= kMostHalvings || map_.cells_.size() >= most_cells_;
   SpanPlace middle = first;
   middle.offset += half;
   if (depth == 0) middle = {first.span, 1, -0.5};  // from here on counted from the end

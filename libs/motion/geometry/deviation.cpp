@@ -8,12 +8,12 @@
 namespace softcnc {
 namespace {
 
-constexpr int kNewtonSteps = 6;
-constexpr double kLastStep = 1e-9;  // of the portion
+constexpr int kNearestSteps = 6;
+constexpr double kLastNearestStep = 1e-9;  // of the portion
 
 constexpr int kPieces = 32;  // of a portion, which are halved where they may be nearest
 constexpr double kNearer = 1e-3;
-constexpr double kResolution = 1e-6;  // mm
+constexpr double kDistanceResolution = 1e-6;  // mm
 
 double distance(const Path& path, double s, const AxisVector& point) noexcept {
   return (position(path, s) - point).norm();
@@ -31,7 +31,7 @@ void search(const Path& path, double s0, double s1, const AxisVector& point,
   const double middle = (s0 + s1) / 2, half = (s1 - s0) / 2;
   const double off = distance(path, middle, point);
   if (off < best.distance) best = {middle, off};
-  if (off - half >= best.distance * (1 - kNearer) - kResolution) return;
+  if (off - half >= best.distance * (1 - kNearer) - kDistanceResolution) return;
   search(path, s0, middle, point, best);
   search(path, middle, s1, point, best);
 }
@@ -51,7 +51,7 @@ double nearest(const Portion& portion, const AxisVector& point, double guess) no
     return std::clamp(s, portion.s0, portion.s1);
   }
   double s = std::clamp(guess, portion.s0, portion.s1);
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  for (int i = 0; i < kNearestSteps; ++i) {
     const PathPoint here = at(*portion.path, s);
     const AxisVector off = here.q - point;
     const double slope = here.dq.dot(off);
@@ -59,7 +59,7 @@ double nearest(const Portion& portion, const AxisVector& point, double guess) no
     const double next = std::clamp(s - slope / std::max(curving, 0.5), portion.s0, portion.s1);
     const double step = std::abs(next - s);
     s = next;
-    if (step <= kLastStep * (portion.s1 - portion.s0)) break;
+    if (step <= kLastNearestStep * (portion.s1 - portion.s0)) break;
   }
   return s;
 }

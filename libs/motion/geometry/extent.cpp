@@ -9,8 +9,8 @@
 namespace softcnc {
 namespace {
 
-constexpr double kResolution = 1e-9;  // mm
-constexpr int kMaxDepth = 60;
+constexpr double kExtentResolution = 1e-9;  // mm
+constexpr int kMostExtentHalvings = 60;
 
 // Arc ---------------------------------------------------------------------------------------------
 
@@ -30,7 +30,7 @@ struct Swing {
 /// The coordinate where its slope changes sign between two angles.
 double turning_point(const Swing& swing, double low, double high) {
   const bool rising = swing.slope(low) > 0;
-  for (int i = 0; i < kMaxDepth; ++i) {
+  for (int i = 0; i < kMostExtentHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     ((swing.slope(middle) > 0) == rising ? low : high) = middle;
   }
@@ -103,7 +103,7 @@ Segment first_half(Segment& segment) {
 /// Raises `most` to the largest value on the segment: halves that cannot exceed it are left out.
 void raise(Segment segment, double& most, int depth) {
   most = std::max({most, segment.value(0), segment.value(segment.points.size() - 1)});
-  if (depth == kMaxDepth || segment.highest() <= most + kResolution) return;
+  if (depth == kMostExtentHalvings || segment.highest() <= most + kExtentResolution) return;
   Segment first = first_half(segment);
   if (first.highest() < segment.highest()) std::swap(first, segment);
   raise(std::move(first), most, depth + 1);

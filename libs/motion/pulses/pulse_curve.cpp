@@ -11,7 +11,7 @@ namespace {
 /// Newton's method stops this close to a grid point, in BLU; the linear correction that follows
 /// leaves less than its square.
 constexpr double kClose = 0.03;
-constexpr int kNewtonSteps = 20;
+constexpr int kGridSteps = 20;
 /// Further from a grid point than this, in BLU, the tangent is of no use.
 constexpr double kNear = 4;
 /// Where no next grid point is found the curve is followed without pulses in steps of this part of
@@ -20,7 +20,7 @@ constexpr double kCreep = 0.25, kCreepFromRest = 1.0 / 1024;
 /// An axis that moves by less than this part of the leading one stands.
 constexpr double kStands = 1e-9;
 /// A curve that makes less than this many BLU of a span from here stands still.
-constexpr double kRest = 1e-6;
+constexpr double kStillTravel = 1e-6;
 constexpr double kLeastCreep = 1e-12;
 /// BLU: an axis that is further from its grid point has left it.
 constexpr double kFull = 1e-6;
@@ -108,7 +108,7 @@ bool CurvePulses::choose_course() noexcept {
     if (axis != lead_ && moves_[static_cast<std::size_t>(axis)]) all_others_[other_count_++] = axis;
   direction_ = along[lead_] < 0 ? -1.0 : 1.0;
   grip_ = grip_at(grip_.t, grip_.point, at_[lead_]);
-  return std::abs(along[lead_]) > kRest * grip_.weight();
+  return std::abs(along[lead_]) > kStillTravel * grip_.weight();
 }
 
 template <typename T>
@@ -172,7 +172,7 @@ std::optional<Step> CurvePulses::move_of_leading(const T& trace) noexcept {
   const double level = at_[lead_] + direction_;
   Grip next = grip_at(grip_.t, grip_.point, level);
   if (next.gap >= 0) return move_to<method>(next);  // passed before
-  for (int i = 0; i < kNewtonSteps && next.inverse > 0; ++i) {
+  for (int i = 0; i < kGridSteps && next.inverse > 0; ++i) {
     const double t = next.t + next.correction();
     if (t < grip_.t) break;
     if (t > 1.0 && next.t == 1.0) {
@@ -272,7 +272,7 @@ std::size_t CurvePulses::run_registers(const T& trace, std::span<Step> out) noex
   std::size_t filled = 0;
   while (filled < out.size() && span_ < spans_) {
     const double speed = tangent(grip_.point).norm() / grip_.weight();
-    if (speed <= kRest) {
+    if (speed <= kStillTravel) {
       creep(trace);
       continue;
     }

@@ -36,7 +36,7 @@ constexpr double simulated_tip(int node) noexcept {
 }
 
 /// The heights above 1, as part of a^2, in thousandths, by passes, teeth, b and a: made by
-/// scripts/roughness_table.
+/// scripts/generate roughness.
 using SimulatedHeights = std::array<std::array<std::uint16_t, kSimulatedFeeds.size()>,
                                     static_cast<std::size_t>(kSimulatedTips)>;
 extern const std::array<std::array<SimulatedHeights, kSimulatedTeeth>, 2> kSimulatedHeights;

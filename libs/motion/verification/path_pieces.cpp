@@ -9,14 +9,14 @@
 namespace softcnc {
 namespace {
 
-constexpr double kShortest = 1e-6;  // mm: shorter ones are as good as points
-constexpr double kLeastTurn = 0.5;  // cosine of the largest turn in a piece
-constexpr double kRest = 0.1;       // of a piece: what is left after it and is added to it
-constexpr double kProbe = 0.4;      // where a cubic is compared with the curve, as a part of it
-constexpr int kNewtonSteps = 8;
-constexpr double kLastStep = 1e-7;  // mm
-constexpr double kSame = 1e-5;      // mm
-constexpr double kSwing = 5e-3;     // mm: two steps of a coarse encoder
+constexpr double kShortestPiece = 1e-6;  // mm: shorter ones are as good as points
+constexpr double kLeastTurn = 0.5;       // cosine of the largest turn in a piece
+constexpr double kRestOfPiece = 0.1;     // of a piece: what is left after it and is added to it
+constexpr double kProbe = 0.4;  // where a cubic is compared with the curve, as a part of it
+constexpr int kPieceSteps = 8;
+constexpr double kLastPieceStep = 1e-7;  // mm
+constexpr double kSame = 1e-5;           // mm
+constexpr double kSwing = 5e-3;          // mm: two steps of a coarse encoder
 
 AxisVector value(const CubicPiece& piece, double x) noexcept {
   return piece.q + x * (piece.c1 + x * (piece.c2 + x * piece.c3));
@@ -55,20 +55,22 @@ class SmoothPart {
   SmoothPart(const Portion& part, double offset, const PathOrigin& origin) noexcept
       : part_(part), offset_(offset), origin_(origin) {}
 
-  /// Every try is shorter than the one before: a rest that a step may take along is at most kRest
-  /// of it, less than what a try that does not fit takes off, and no try is much below kShortest.
+  /// Every try is shorter than the one before: a rest that a step may take along is at most
+  /// kRestOfPiece of it, less than what a try that does not fit takes off, and no try is much below
+  /// kShortestPiece.
   void append_to(std::vector<CubicPiece>& pieces) {
     double s = part_.s0;
     PathPoint here = at(*part_.path, s, Side::after);
-    double step = std::max(kShortest, fitting_length(here.ddq.norm(), part_.s1 - s));
+    double step = std::max(kShortestPiece, fitting_length(here.ddq.norm(), part_.s1 - s));
     while (s < part_.s1) {
       const double rest = part_.s1 - s - step;
-      const double next = rest < std::min(kShortest, kRest * step) ? part_.s1 : s + step;
+      const double next =
+          rest < std::min(kShortestPiece, kRestOfPiece * step) ? part_.s1 : s + step;
       const PathPoint there = at(*part_.path, next, Side::before);
       const CubicPiece piece = hermite(here, there, s + offset_, next + offset_, origin_);
       const double growth = growth_of(piece, here, there);
-      step = std::max(growth * (next - s), kShortest);
-      if (!fits_ && next - s > (1 + 2 * kRest) * kShortest) continue;
+      step = std::max(growth * (next - s), kShortestPiece);
+      if (!fits_ && next - s > (1 + 2 * kRestOfPiece) * kShortestPiece) continue;
       pieces.push_back(piece);
       s = next;
       here = there;
@@ -101,8 +103,8 @@ double nearest_part(const CubicPiece& piece, const AxisVector& point, double low
   const AxisVector chord = piece.end - piece.q;
   const double square = std::max(chord.squaredNorm(), std::numeric_limits<double>::min());
   double x = std::clamp((point - piece.q).dot(chord) / square, low, high);
-  const double enough = kLastStep / piece.length();
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  const double enough = kLastPieceStep / piece.length();
+  for (int i = 0; i < kPieceSteps; ++i) {
     const AxisVector off = value(piece, x) - point;
     const AxisVector slope = piece.c1 + x * (2 * piece.c2 + 3 * x * piece.c3);
     const AxisVector second = 2 * piece.c2 + 6 * x * piece.c3;

@@ -7,8 +7,6 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr int kBlocksBetweenLooks = 1024;
-
 /// Hands every block of the program to take(block), unless the watcher wants to stop.
 template <typename Take>
 void read(ipr::Interpreter& interpreter, Watcher* watcher, Take&& take) {

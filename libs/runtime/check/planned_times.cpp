@@ -9,11 +9,7 @@
 #include "runtime/program/each_block.hpp"
 
 namespace softcnc::runtime {
-namespace {
-
-constexpr int kBlocksBetweenLooks = 1024;
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<PlannedTimes> plan_times(Program& program, const Machine& machine,
                                        const ChannelOptions& options, Watcher* watcher,

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "motion/core/units.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kQuarter = kTurn / 4;
 constexpr double kWindow = kTurn / 12;   // rad on each side of a reversal: its step is fitted there
 constexpr double kPassing = kTurn / 60;  // rad on each side: no part of the fit, but of the spike

@@ -4,19 +4,19 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "motion/core/units.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kFewest = 8;              // rows of an arc
-constexpr double kLargest = 1e4;                // mm: a larger radius is a line
-constexpr double kTurn = 2 * std::numbers::pi;  // rad
-constexpr double kShortOfTurn = 1e-3 * kTurn;   // what a full circle may lack
-constexpr double kMoved = 1e-9;                 // mm: less is rest
+constexpr std::size_t kFewest = 8;             // rows of an arc
+constexpr double kLargestRadius = 1e4;         // mm: a larger radius is a line
+constexpr double kShortOfTurn = 1e-3 * kTurn;  // what a full circle may lack
+constexpr double kMoved = 1e-9;                // mm: less is rest
 
 double angle_between(const Vector2d& from, const Vector2d& to) {
   return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
@@ -41,7 +41,7 @@ std::optional<std::pair<Vector2d, double>> circle_through(const Points& points) 
   const Eigen::Vector3d solution = solver.solve(right);
   const Vector2d centre = solution.head<2>();
   const double square = solution[2] + centre.squaredNorm();
-  if (!(square > 0) || square > kLargest * kLargest) return std::nullopt;
+  if (!(square > 0) || square > kLargestRadius * kLargestRadius) return std::nullopt;
   return std::pair(Vector2d(centre + mean), std::sqrt(square));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One interpolation method on one program and machine, begun at several places within the period.
+// One interpolation method on one program and machine, at several sampling phases.
 #pragma once
 
 #include <array>

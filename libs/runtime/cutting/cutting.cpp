@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "motion/core/units.hpp"
+#include "runtime/figures/pass_neighbours.hpp"
 #include "runtime/program/each_block.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kTurned = 0.7071;  // cosine: a sharper turn than 45 degrees begins another pass
 constexpr int kBetweenLooks = 256;  // blocks, at whether the work is to stop
 constexpr int kMostTeeth = 100;     // the work of a second grows with their square
 
@@ -65,7 +65,7 @@ class CuttingReader {
   }
 
   bool begins_pass(const Move& move) const {
-    return after_rapid_ || direction_.dot(at(move.path, 0.0).dq) < kTurned;
+    return after_rapid_ || direction_.dot(at(move.path, 0.0).dq) < kPassTurn;
   }
 
   void add(const Move& move, const surface::Cutter& cutter, const Block& block) {

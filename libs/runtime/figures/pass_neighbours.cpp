@@ -10,7 +10,6 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kTurned = 0.7071;         // cosine: 45 degrees
 constexpr double kAlike = 0.87;            // cosine: 30 degrees
 constexpr double kRests = 1e-6;            // mm
 constexpr double kSpacing = 0.25;          // pick-feeds, between places
@@ -18,7 +17,7 @@ constexpr double kLink = 3;                // pick-feeds: what is shorter is no 
 constexpr double kNear = 0.3, kFar = 1.5;  // pick-feeds, to a pass beside
 constexpr double kSteepest = 1.0472;       // rad: what lies higher is in the air, or cut before
 constexpr double kEven = 1.25;             // from place to place, of speeds
-constexpr double kLevel = 0.2;             // of a step from above: what is less is a plunge
+constexpr double kLevelStep = 0.2;         // of a step from above: what is less is a plunge
 constexpr std::size_t kPasses = 6;         // remembered
 constexpr std::size_t kPlaces = 20'000;    // remembered of each
 constexpr int kTries = 32;                 // misses from one search of a whole pass to the next
@@ -54,7 +53,7 @@ std::optional<NeighbourPass> PassNeighbours::add(const Setpoint& row, const Path
   advance_before_ = std::exchange(advance_, advance / length);
   present_.length += from_above(advance).norm();
   keep(place);
-  if (present_.length < reported_ + surface.pick_feed || from_above(advance_).norm() < kLevel)
+  if (present_.length < reported_ + surface.pick_feed || from_above(advance_).norm() < kLevelStep)
     return std::nullopt;
   reported_ = present_.length;
   return neighbour(place, surface.pick_feed);
@@ -74,13 +73,13 @@ bool PassNeighbours::begins_pass(const Setpoint& row, const Path& path, double b
   if (std::exchange(block_, row.block) == row.block && follows) return false;
   const PathPoint from = at(path, begin);
   block_begun_ = time - elapsed((row.position - from.q).norm(), row);
-  return (!follows && (from.q - before).norm() > kRests) || heading.dot(from.dq) < kTurned;
+  return (!follows && (from.q - before).norm() > kRests) || heading.dot(from.dq) < kPassTurn;
 }
 
 /// Where corners are rounded it takes two steps.
 bool PassNeighbours::turns(const AxisVector& advance) const noexcept {
-  return (!advance_.isZero() && advance.dot(advance_) < kTurned) ||
-         (!advance_before_.isZero() && advance.dot(advance_before_) < kTurned);
+  return (!advance_.isZero() && advance.dot(advance_) < kPassTurn) ||
+         (!advance_before_.isZero() && advance.dot(advance_before_) < kPassTurn);
 }
 
 void PassNeighbours::begin_pass(double time, double pick_feed) {

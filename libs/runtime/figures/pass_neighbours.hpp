@@ -15,6 +15,9 @@
 
 namespace softcnc::runtime {
 
+/// The cosine of 45 degrees: a sharper turn begins another pass.
+inline constexpr double kPassTurn = 0.7071;
+
 /// A neighbouring pass as seen from a place on a later one.
 struct NeighbourPass {
   double distance = 0;    // mm, from above, square to the feed

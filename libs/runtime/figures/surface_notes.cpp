@@ -19,7 +19,7 @@ constexpr double kInPhase = 0.1;
 /// Of the tangent along the tool axis: a path that is no steeper leaves a surface beside it.
 constexpr double kPlunge = 0.9999;
 /// rad, 0.3 degrees: what a slope may exceed the stated one by; it leaves some 3 % more.
-constexpr double kLevel = 0.0052;
+constexpr double kLevelSlope = 0.0052;
 
 bool is_plunge(const Path& path) noexcept {
   return std::holds_alternative<Line>(path) && inclination_sine(at(path, 0).dq) > kPlunge;
@@ -79,7 +79,7 @@ void SurfaceNotes::look_beside(const ipo::TimedBlock& timed, const Setpoint& row
     if (beside->opposite && !opposite_) opposite_ = mark.source;
     if (beside->lag > kInPhase && !lagging_) lagging_ = mark.source;
   }
-  if (guaranteed && beside->slope > move.surface->slope_across + kLevel)
+  if (guaranteed && beside->slope > move.surface->slope_across + kLevelSlope)
     judge_slope(move, row, row.s - timed.s_start, *beside);
 }
 

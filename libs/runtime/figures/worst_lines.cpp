@@ -6,7 +6,7 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kLeast = 1e-9;  // s: less is rounding
+constexpr double kLeastLoss = 1e-9;  // s: less is rounding
 
 /// Hands each part of a span that belongs to one line to sink(mark, span).
 template <typename Sink>
@@ -65,7 +65,8 @@ std::vector<LineLosses::Place> LineLosses::worst_places(std::size_t count) const
   std::vector<Place> places;
   for (const auto& [file, lines] : lines_)
     for (std::size_t line = 0; line < lines.size(); ++line)
-      if (lines[line].all > kLeast) places.push_back({file, static_cast<int>(line), &lines[line]});
+      if (lines[line].all > kLeastLoss)
+        places.push_back({file, static_cast<int>(line), &lines[line]});
   const auto worse = [](const Place& a, const Place& b) {
     if (a.loss->all != b.loss->all) return a.loss->all > b.loss->all;
     return a.file != b.file ? a.file < b.file : a.line < b.line;

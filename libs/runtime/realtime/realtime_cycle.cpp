@@ -5,25 +5,26 @@
 #include <cmath>
 
 #include "hal/ports/tick_pace.hpp"
+#include "motion/core/units.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kAhead = 0.5;               // s of setpoints in the queue
-constexpr std::int64_t kBreath = 1'000'000;  // ns that the thread that plans waits for another look
-constexpr double kNsPerSecond = 1e9;
-constexpr std::size_t kLeast = 4;  // setpoints
+constexpr double kSetpointsAhead = 0.5;  // s of setpoints in the queue
+constexpr std::int64_t kPlanningBreath =
+    1'000'000;                               // ns that the thread that plans waits for another look
+constexpr std::size_t kFewestSetpoints = 4;  // setpoints
 
 std::size_t setpoints_ahead(double period) {
-  return std::max(static_cast<std::size_t>(kAhead / period), kLeast);
+  return std::max(static_cast<std::size_t>(kSetpointsAhead / period), kFewestSetpoints);
 }
 
 }  // namespace
 
 RealtimeCycle::RealtimeCycle(hal::Backend& backend, double period, RowSink* rows)
     : backend_(backend),
-      period_(std::llround(period * kNsPerSecond)),
+      period_(std::llround(ns_from_s(period))),
       row_sink_(rows),
       to_do_(setpoints_ahead(period)),
       done_(to_do_.capacity()),
@@ -38,7 +39,7 @@ RealtimeCycle::RealtimeCycle(hal::Backend& backend, double period, RowSink* rows
 }
 
 Feedback RealtimeCycle::exchange(const Setpoint& setpoint) noexcept {
-  for (collect(); free_.empty(); collect()) sleep_until(now_ns() + kBreath);
+  for (collect(); free_.empty(); collect()) sleep_until(now_ns() + kPlanningBreath);
   Slot& slot = *free_.back();
   free_.pop_back();
   slot.setpoint = setpoint;
@@ -77,7 +78,7 @@ void RealtimeCycle::write(Slot& slot) {
 
 void RealtimeCycle::rest() {
   to_do_.rest();
-  for (collect(); free_.size() < slots_.size(); collect()) sleep_until(now_ns() + kBreath);
+  for (collect(); free_.size() < slots_.size(); collect()) sleep_until(now_ns() + kPlanningBreath);
 }
 
 void RealtimeCycle::stop() noexcept {

@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "hal/ports/tick_pace.hpp"
+#include "motion/core/units.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kAhead = 0.5;                  // s of words in the queue
-constexpr std::int64_t kLook = 1'000'000;       // ns from one look at the inputs to the next
-constexpr std::int64_t kBreath = 1'000'000;     // ns between two tries to fill the queue
-constexpr std::int64_t kPatience = 20'000'000;  // ns for the thread to end by itself
-constexpr double kNsPerSecond = 1e9;
+constexpr double kWordsAhead = 0.5;                 // s of words in the queue
+constexpr std::int64_t kLook = 1'000'000;           // ns from one look at the inputs to the next
+constexpr std::int64_t kFillingBreath = 1'000'000;  // ns between two tries to fill the queue
+constexpr std::int64_t kPatience = 20'000'000;      // ns for the thread to end by itself
 
 std::size_t words_ahead(const hal::PortTiming& timing) {
-  return static_cast<std::size_t>(kAhead * kNsPerSecond / static_cast<double>(timing.base)) + 16;
+  return static_cast<std::size_t>(ns_from_s(kWordsAhead) / static_cast<double>(timing.base)) + 16;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
 RealtimePlayer::RealtimePlayer(const Machine& machine,
                                std::unique_ptr<hal::PortRegisters> registers, Listener listener)
     : timing_(hal::port_timing(machine)),
-      tolerance_(std::llround(machine.control.period * kNsPerSecond)),
+      tolerance_(std::llround(ns_from_s(machine.control.period))),
       ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
       output_(std::move(registers), machine),
       words_(words_ahead(timing_)),
@@ -53,7 +53,7 @@ Alarm RealtimePlayer::play(std::span<const hal::PortWord> words) noexcept {
   for (const hal::PortWord& word : words)
     while (!words_.push(word)) {
       if (ended_) return alarm_;
-      sleep_until(now_ns() + kBreath);
+      sleep_until(now_ns() + kFillingBreath);
     }
   return alarm_;
 }
@@ -76,7 +76,7 @@ void RealtimePlayer::abandon() noexcept {
   abandoned_ = true;
   const bool own = thread_.get_id() == std::this_thread::get_id();
   const std::int64_t patience = now_ns() + std::max(2 * timing_.base, kPatience);
-  while (!ended_ && !own && now_ns() < patience) sleep_until(now_ns() + kBreath / 10);
+  while (!ended_ && !own && now_ns() < patience) sleep_until(now_ns() + kFillingBreath / 10);
   output_.rest();
 }
 

@@ -9,9 +9,9 @@ namespace softcnc::runtime {
 namespace {
 
 /// How far ahead of its need the queue is filled, in periods.
-constexpr double kAhead = 256;
-constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
-constexpr double kMostRows = 1e15;     // that are counted ahead
+constexpr double kPlannedAhead = 256;
+constexpr double kSameInstant = 1e-9;    // periods: rounding of sums
+constexpr double kMostRowsAhead = 1e15;  // that are counted ahead
 /// How far ahead in time the path is looked for, s.
 constexpr double kSight = 4;
 
@@ -36,7 +36,7 @@ bool Channel::plan_ahead() noexcept {
   try {
     const double needed = interpolator_.needs_until();
     if (queue_.t_end() <= needed || feeder_.needs_more_first())
-      feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+      feeder_.fill(queue_, needed + kPlannedAhead * machine_.control.period);
     if (replanned_ && !queue_.empty()) interpolator_.replanned();
     replanned_ = replanned_ && queue_.empty();
   } catch (...) {
@@ -93,7 +93,7 @@ Channel::Quiet Channel::quiet_ahead() {
   quiet_start_ = present.t_start;
   if (!quiet_.quiet) return {};
   const auto periods = [period](double time) {
-    return static_cast<std::int64_t>(std::min(time / period, kMostRows));
+    return static_cast<std::int64_t>(std::min(time / period, kMostRowsAhead));
   };
   return {periods(quiet_.until - t), std::max(periods(quiet_.step), std::int64_t{1})};
 }

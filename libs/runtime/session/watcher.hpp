@@ -7,6 +7,9 @@
 
 namespace softcnc::runtime {
 
+/// Blocks that are only read, from one look at the watcher to the next.
+inline constexpr int kBlocksBetweenLooks = 1024;
+
 /// A place where the program waits for a person, and its time.
 struct Pause {
   Block block;
