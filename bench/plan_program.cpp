@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What planning a program costs, without reading it: all of its blocks are there before the clock
 // starts, and reach the planner one after the other, as from a stream. One JSON object, for
-// scripts/feed_table.
+// scripts/generate feed.
 //
 //   plan_program SECONDS PROGRAM [KEY=VALUE ...]
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The figures of docs/pulses.md: circles by each interpolator (Table 3 of paper 003 among them),
-// and the feed over slope and angle. Tab-separated, for scripts/pulse_docs.py.
+// and the feed over slope and angle. Tab-separated, for scripts/generate pulses.
 #include <cstdio>
 #include <cstring>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps of Rmax over inclination and feed per tooth (figures 3, 6 and 7 of paper 004), as CSV; see
-// scripts/roughness_map.
+// scripts/generate roughness_map.
 #include <charconv>
 #include <cstdio>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes libs/motion/roughness_table.inc by simulated edges; see scripts/roughness_table.
+// Makes libs/motion/roughness_table.inc by simulated edges; see scripts/generate roughness.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -124,7 +124,7 @@ class FineTable {
 }  // namespace
 
 int main() {
-  std::puts("// SPDX-License-Identifier: MIT\n// Made by scripts/roughness_table: do not edit.");
+  std::puts("// SPDX-License-Identifier: MIT\n// Made by scripts/generate roughness: do not edit.");
   for (const PassPhase passes : {PassPhase::in_phase, PassPhase::at_any_phase}) {
     std::printf("{{  // %s\n", passes == PassPhase::in_phase ? "in phase" : "at any phase");
     for (int teeth = 1; teeth <= softcnc::kSimulatedTeeth; ++teeth) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of docs/surface.md: Rmax by the Z-map and by the model of paper 004, over feed per
-// tooth and inclination, as its figure 6. Tab-separated, for scripts/surface_docs.py.
+// tooth and inclination, as its figure 6. Tab-separated, for scripts/generate surface.
 #include <cstdio>
 
 #include "support/milled.hpp"

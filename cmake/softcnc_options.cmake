@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: MIT
 # The options of every target of softcnc.
 add_library(softcnc_options INTERFACE)
+set(softcnc_warnings_are_errors FALSE)
+if(SOFTCNC_WERROR AND "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES
+   "^(GNU 12|Clang 14)\\.")
+  set(softcnc_warnings_are_errors TRUE)
+endif()
 target_include_directories(softcnc_options INTERFACE ${PROJECT_SOURCE_DIR}/libs)
 target_compile_options(softcnc_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${SOFTCNC_WERROR}>:-Werror>
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${softcnc_warnings_are_errors}>:-Werror>
   -fvisibility=hidden -fvisibility-inlines-hidden  # the library shows include/softcnc alone
   -ffp-contract=off)  # one build, one family of CPUs: the same bytes
 if(SOFTCNC_SANITIZE)
@@ -20,20 +25,6 @@ if(SOFTCNC_FUZZ)
   target_compile_options(softcnc_options INTERFACE -fsanitize=fuzzer-no-link
                                                    -fno-sanitize-coverage=trace-cmp)
 endif()
-
-if(SOFTCNC_LTO AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  message(FATAL_ERROR "SOFTCNC_LTO is for g++ alone, and this is ${CMAKE_CXX_COMPILER_ID}")
-endif()
-
-# softcnc_for_link_time(TARGET): compiles for both ways of linking, that of the program and that of
-# the tests.
-function(softcnc_for_link_time target)
-  if(SOFTCNC_LTO)
-    target_compile_options(${target} PRIVATE -flto=auto -ffat-lto-objects)
-    target_link_options(${target} INTERFACE
-      $<IF:$<BOOL:$<TARGET_PROPERTY:SOFTCNC_LINK_TIME>>,-flto=auto,-fno-lto>)
-  endif()
-endfunction()
 
 # softcnc_precompile(TARGET [HEADER...]): compiles what nearly every file includes, and further
 # headers, once for the target.
@@ -58,7 +49,6 @@ function(softcnc_library name)
   set_target_properties(softcnc_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${LIBRARY_STANDS_ON})
   softcnc_precompile(softcnc_${name})
-  softcnc_for_link_time(softcnc_${name})
   if(LIBRARY_COMPUTES)
     target_compile_options(softcnc_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
   endif()

@@ -78,13 +78,40 @@ configure() {
   return 1
 }
 
-# build PRESET TARGET...: shows progress on a terminal, otherwise only errors.
+# Of one step of a build, most of which compile some files as one: seconds of CPU, about.
+seconds_per_step=8
+
+# show_progress: passes on what ninja prints, but of its steps only how far it is, every 20 s.
+show_progress() {
+  local line status far='' said=$SECONDS
+  while true; do
+    status=0
+    IFS= read -r -t 20 line || status=$?
+    if ((status > 128)); then line=''; elif ((status > 0)); then return; fi
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+      far="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} steps"
+    elif [[ -n $line && $line != 'ninja: '* ]]; then
+      printf '%s\n' "$line"
+    fi
+    if [[ -n $far ]] && ((SECONDS - said >= 20)); then
+      said=$SECONDS
+      say "$far"
+    fi
+  done
+}
+
+# build PRESET TARGET...: says how long it takes, about, and how far it is: ninja's own lines on a
+# terminal.
 build() {
-  local make=(ninja -C "$root/build/$1" -j"$(nproc)")
-  say "building ${*:2} in build/$1"
+  local make=(ninja -C "$root/build/$1" -j"$(nproc)") steps
+  steps=$("${make[@]}" -n "${@:2}" | grep -c '^\[') || true
+  local seconds=$((steps * seconds_per_step / $(nproc)))
+  local long=''
+  ((seconds < 20)) || long=", which takes about $(((seconds + 59) / 60)) min on this computer"
+  say "building ${*:2} in build/$1$long"
   if [[ -t 2 ]]; then
     "${make[@]}" "${@:2}" >&2
   else
-    "${make[@]}" --quiet "${@:2}" | sed '/^ninja: no work to do/d' >&2
+    "${make[@]}" "${@:2}" | show_progress >&2
   fi
 }

@@ -2,8 +2,8 @@
 (AN AIRFOIL BY ITS FORMULA: NACA 2412, chord 100 mm)
 (E. N. Jacobs, K. E. Ward and R. M. Pinkerton, NACA Report 460, 1933. A spline)
 (through 121 points of the formula, from the trailing edge over the upper side and)
-(around the nose; scripts/make_airfoil.py has the formula. The trailing edge is)
-(open by 0.25 mm, as in the report.)
+(around the nose; scripts/parts/generate/airfoil.py has the formula. The trailing)
+(edge is open by 0.25 mm, as in the report.)
 (begin curve naca2412 F3000)
 G00 X100.00838 Y0.12572
 G06.1 X99.94049 Y0.13988 F3000

@@ -69,7 +69,7 @@ def compare(softcnc, name):
             return f"there were {len(was)} lines, and there are {len(now)}"
     was, now = kept().get(name), rows_and_hash(softcnc, name)
     if was is None:
-        return f"{table.name} does not list it; scripts/make_golden does that"
+        return f"{table.name} does not list it; scripts/generate golden does that"
     return "" if was == now else f"{was[0]} rows of hash {was[1]} are now {now[0]} of {now[1]}"
 
 

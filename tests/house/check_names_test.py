@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What scripts/check_names finds in sources that are made for it, and what it leaves alone."""
+"""What scripts/check names finds in sources that are made for it, and what it leaves alone."""
 import subprocess
 import sys
 import tempfile

@@ -12,8 +12,8 @@ import tempfile
 import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
-import make_airfoil  # noqa: E402
+sys.path.insert(0, str(ROOT / "scripts/parts/generate"))
+import airfoil as naca  # noqa: E402
 
 
 def trace_of(softcnc, name):
@@ -43,14 +43,14 @@ def off_polyline(trace, line):
 def airfoil(softcnc):
     """The spline through 121 points is within 1 um of the formula."""
     x = (1 - numpy.cos(numpy.linspace(0, numpy.pi, 40001))) / 2
-    upper, lower = ([make_airfoil.point("2412", part, side) for part in x] for side in (1, -1))
-    line = make_airfoil.CHORD * numpy.array(upper[::-1] + lower[1:])
+    upper, lower = ([naca.point("2412", part, side) for part in x] for side in (1, -1))
+    line = naca.CHORD * numpy.array(upper[::-1] + lower[1:])
     return off_polyline(trace_of(softcnc, "naca2412"), line)
 
 
 def airfoil_table():
     """NACA 0012 has its published thickness: 6.002 % half at 30 % of the chord, 0.126 % at its end."""
-    at = make_airfoil.point("0012", 0.3, 1)[1], make_airfoil.point("0012", 1.0, 1)[1]
+    at = naca.point("0012", 0.3, 1)[1], naca.point("0012", 1.0, 1)[1]
     return max(abs(at[0] - 0.06002), abs(at[1] - 0.00126))
 
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Measures how fast and how exactly softcnc plans and runs curves, mixed paths and polylines, and writes it down.
 
-    scripts/feed_table                                  prints the tables as Markdown
-    scripts/feed_table --write                          puts them into docs/feed.md
-    scripts/feed_table --check                          compares with docs/feed.md, but for CPU times
+    scripts/generate feed                        prints the tables as Markdown
+    scripts/generate feed --write                puts them into docs/feed.md
+    scripts/generate feed --check                compares with docs/feed.md, but for CPU times
     tests/oracle/feed_table.py --softcnc FILE --plan-program FILE [...]    the same with these programs
 
 Every trace is checked by check_trace.py, every time is held against time_optimal.py. Exit 1 if a promise is broken or
@@ -28,8 +28,8 @@ import polylines
 import time_optimal
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import make_programs  # noqa: E402
+sys.path.insert(0, str(ROOT / "scripts/parts/generate"))
+import programs  # noqa: E402
 
 DATA = ROOT / "tests/data"
 DOCS = ROOT / "docs/feed.md"
@@ -181,14 +181,14 @@ def shape(name, feed):
 
 def approach_to(point):
     """A straight line from the origin, where programs begin; none where the curve begins there too."""
-    words = " ".join(letter + make_programs.number(x) for letter, x in zip("XY", point))
+    words = " ".join(letter + programs.number(x) for letter, x in zip("XY", point))
     return [f"G00 {words}"] if any(point) else []
 
 
 def nurbs_lines(data, feed):
     points = [point + [weight] for point, weight in zip(data["control_points"], data["weights"])]
     curve = {"points": points, "columns": ["X", "Y", "weight"], "knots": data["knots"], "degree": data["degree"]}
-    return make_programs.nurbs(curve, f"F{feed:.0f}")
+    return programs.nurbs(curve, f"F{feed:.0f}")
 
 
 def waited(report):

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes the table of options in docs/cli.md from what the commands print with --help.
+
+    scripts/generate options [SOFTCNC]            writes the table
+    scripts/generate options --check [SOFTCNC]    changes nothing; exit 1 if it is not up to date
+
+SOFTCNC is the program that is asked, by default that of build/release.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PAGE = ROOT / "docs/cli.md"
+HEAD = "| option | of | meaning |\n|---|---|---|\n"
+
+
+def help_of(softcnc, *command):
+    return subprocess.run([softcnc, *command, "--help"], check=True, capture_output=True, text=True).stdout
+
+
+def commands_of(softcnc):
+    text = help_of(softcnc).split("\nCommands:\n" if "\nCommands:\n" in help_of(softcnc) else "\nSubcommands:\n")[1]
+    return re.findall(r"^  ([a-z]+)\s", text.split("\n\n")[0], re.MULTILINE)
+
+
+def options_of(softcnc, command):
+    """(names with value, meaning) of each option of a command, in its order."""
+    lines = help_of(softcnc, command).split("\nOptions:\n")[1].split("\n\n")[0].splitlines()
+    found = []
+    for line in lines:
+        match = re.match(r"  (-\S+(?: \S+)*?)(?: Excludes: \S+)?(?:(?: \.\.\. |\s{2,})(.*)| \.\.\.)?$", line)
+        if match:
+            found.append([match[1].removesuffix(" ..."), (match[2] or "").strip()])
+        else:
+            found[-1][1] = (found[-1][1] + " " + line.strip()).strip()
+    return [(name, meaning) for name, meaning in found if not name.startswith("-h,")]
+
+
+def shown(name):
+    """`-q`, `--quiet` of "-q,--quiet"."""
+    names, _, value = name.partition(" ")
+    return ", ".join(f"`{(one + ' ' + value).strip()}`" for one in names.split(",")).replace("|", r"\|")
+
+
+def of(commands, every):
+    missing = [command for command in every if command not in commands]
+    if not missing:
+        return "all"
+    return "all except " + " and ".join(missing) if len(missing) <= 2 else ", ".join(commands)
+
+
+def table(softcnc):
+    every = commands_of(softcnc)
+    rows = {}
+    for command in every:
+        for option in options_of(softcnc, command):
+            rows.setdefault(option, []).append(command)
+    order = sorted(rows, key=lambda row: re.sub(r"^-\w,", "", row[0]))
+    meaning = {row: row[1].replace("|", r"\|").replace("<", r"\<") for row in order}
+    return HEAD + "".join(f"| {shown(row[0])} | {of(rows[row], every)} | {meaning[row]} |\n" for row in order)
+
+
+def main(arguments):
+    check = arguments[:1] == ["--check"]
+    rest = arguments[check:]
+    if len(rest) > 1 or any(word.startswith("-") for word in rest):
+        sys.exit(__doc__)
+    softcnc = rest[0] if rest else ROOT / "build/release/apps/softcnc/softcnc"
+    page = PAGE.read_text(encoding="utf-8")
+    begin = page.index(HEAD)
+    made = page[:begin] + table(softcnc) + page[page.index("\n\n", begin) + 1:]
+    if check:
+        if made != page:
+            sys.exit(f"{PAGE} is not up to date; run scripts/generate options")
+        return
+    PAGE.write_text(made, encoding="utf-8")
+    print(f"wrote {PAGE.relative_to(ROOT)}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
