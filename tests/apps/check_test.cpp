@@ -80,7 +80,7 @@ TEST_CASE("many errors of the planner are reported with their lines in time", "[
   CHECK(ended.status == 3);
   CHECK(shows(ended.out, "<stdin>:21:1: error: X reaches 2001 mm... [SC4001]"));
   CHECK(ended.out.find("21 | X2001\n") != std::string::npos);
-  CHECK(shows(ended.out, "here and on 9999 more lines, the last of them 20001 [SC6005]"));
+  CHECK(shows(ended.out, "here and on 9999 more lines (last: 20001) [SC6005]"));
 }
 
 TEST_CASE("a line with / and M01 count as they are switched", "[apps][check]") {
@@ -145,11 +145,11 @@ TEST_CASE("a diagnostic in a subprogram names the calls that led there", "[apps]
             "    2 | G1 X#1\n"
             "      | ^~\n" +
             middle + ":2:3: note: called from here\n" + part + ":2:1: note: called from here\n");
-  const std::string json = call("check --diagnostics json " + part).out;
-  CHECK(json.find("\"called_from\":[{\"file\":\"" + middle +
-                  "\",\"line\":2,\"column\":3},"
-                  "{\"file\":\"" +
-                  part + "\",\"line\":2,\"column\":1}]") != std::string::npos);
+  const std::string as_json = call("check --diagnostics json " + part).out;
+  CHECK(as_json.find("\"called_from\":[{\"file\":\"" + middle +
+                     "\",\"line\":2,\"column\":3},"
+                     "{\"file\":\"" +
+                     part + "\",\"line\":2,\"column\":1}]") != std::string::npos);
   const std::string sarif = call("check --diagnostics sarif " + part).out;
   CHECK(sarif.find("\"relatedLocations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":"
                    "\"file://" +

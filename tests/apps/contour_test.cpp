@@ -19,7 +19,7 @@ struct Run {
   std::string rows;  // of the trace, as they stand
 };
 
-Run run(const std::string& program, const std::string& options) {
+Run run_contour(const std::string& program, const std::string& options) {
   Folder folder;
   write(folder / "p.nc", program);
   Run run;
@@ -40,7 +40,7 @@ double largest(const Trace& trace, const std::string& column) {
 }
 
 /// Two turns of radius 50 at F3000, from the tangent and back to it.
-const std::string kCircle =
+const std::string kTwoTurns =
     "G21 G90 G17\nG1 X50 F3000\nG3 X50 Y0 J50\nG3 X50 Y0 J50\nG1 X100\nM2\n";
 
 /// Short chords whose rows leave the queue with little path ahead.
@@ -57,7 +57,7 @@ std::string chords() {
 }  // namespace
 
 TEST_CASE("a circle is smaller by the closed form, and that is said", "[apps][contour]") {
-  const Run circle = run(kCircle, "");
+  const Run circle = run_contour(kTwoTurns, "-v");
   const double smaller = 1000 * 50.0 * 50.0 / (2 * 50 * 30 * 30);  // um: v^2 / (2 R Kv^2)
   CHECK(circle.report["contour_error_um_max"].get<double>() == Approx(smaller).epsilon(0.1));
   CHECK(circle.report["contour_error_um_rms"].get<double>() == Approx(smaller).epsilon(0.2));
@@ -69,18 +69,19 @@ TEST_CASE("a circle is smaller by the closed form, and that is said", "[apps][co
   CHECK(circle.report["contour_error_rapid_um_max"] == 0);
   CHECK_FALSE(circle.report.contains("contour_error_rapid_at"));
   const std::string& shown = circle.ended.err;
-  CHECK(shown.find("contour error 2") != std::string::npos);
-  CHECK(shown.find("v^2/(2 R Kv^2), here R 50 mm at F3000 by 27.8 um") != std::string::npos);
-  CHECK(shown.find("at F1800 in the sharpest curve (R 50 mm)") != std::string::npos);
+  CHECK(shown.find("contour error  max 2") != std::string::npos);
+  CHECK(shown.find("v^2/(2 R Kv^2), here R 50 mm at F3000 by 27.8 µm") != std::string::npos);
+  CHECK(shown.find("to stay within 10 µm: F1800 in the tightest curve (R 50 mm)") !=
+        std::string::npos);
 }
 
 TEST_CASE("the feed that the summary names leaves what it says", "[apps][contour]") {
-  const Run circle = run(kCircle, "--set limits.feed_mm_min=1800");
+  const Run circle = run_contour(kTwoTurns, "--set limits.feed_mm_min=1800");
   CHECK(circle.report["contour_error_um_max"].get<double>() == Approx(10).epsilon(0.2));
 }
 
 TEST_CASE("the column of the trace is what the report is made of", "[apps][contour]") {
-  const Run circle = run(kCircle, "");
+  const Run circle = run_contour(kTwoTurns, "");
   CHECK(circle.trace.columns.back() == "contour_um");
   const double in_rows = largest(circle.trace, "contour_um");
   const double in_report = circle.report["contour_error_um_max"];
@@ -95,10 +96,11 @@ TEST_CASE("the column of the trace is what the report is made of", "[apps][conto
 }
 
 TEST_CASE("small errors are not explained", "[apps][contour]") {
-  const Run slow = run("G1 X5 Y2 F100\nM2\n", "");
+  const Run slow = run_contour("G1 X5 Y2 F100\nM2\n", "-v");
   CHECK(slow.report["contour_error_um_max"].get<double>() < 10);
   CHECK(slow.ended.err.find("contour error") != std::string::npos);
   CHECK(slow.ended.err.find("Kv") == std::string::npos);
+  CHECK(slow.ended.err.find("to stay within") == std::string::npos);
 }
 
 TEST_CASE("without a backend that knows the axes there is no contour error", "[apps][contour]") {
@@ -106,7 +108,7 @@ TEST_CASE("without a backend that knows the axes there is no contour error", "[a
   const std::string steps = "--backend stepdir --set backend.stepdir.file=" + (folder / "s.vcd");
   for (const std::string& options :
        {std::string("--backend none"), steps, std::string("--dry-run")}) {
-    const Run none = run(kCircle, options);
+    const Run none = run_contour(kTwoTurns, options);
     CHECK_FALSE(none.report.contains("contour_error_um_max"));
     CHECK(none.ended.err.find("contour") == std::string::npos);
     CHECK(std::count(none.trace.columns.begin(), none.trace.columns.end(), "contour_um") == 0);
@@ -115,7 +117,7 @@ TEST_CASE("without a backend that knows the axes there is no contour error", "[a
 
 TEST_CASE("by the clock the contour error is the same", "[apps][contour]") {
   const std::string program = "G21 G90 G17\nG1 X5 F3000\nG3 X5 Y0 J5\nG0 X0\nM2\n";
-  const Run plain = run(program, ""), paced = run(program, "--realtime");
+  const Run plain = run_contour(program, ""), paced = run_contour(program, "--realtime");
   CHECK(plain.rows == paced.rows);
   for (const char* key : {"contour_error_um_max", "contour_error_um_rms", "contour_error_at",
                           "contour_error_rapid_um_max", "contour_error_rapid_um_rms"})
@@ -124,7 +126,7 @@ TEST_CASE("by the clock the contour error is the same", "[apps][contour]") {
 
 TEST_CASE("methods that go their own way have a contour error, too", "[apps][contour]") {
   for (const char* method : {"taylor1", "curvature3p", "m-dsm"}) {
-    const Run circle = run(kCircle, std::string("--set control.interpolation=") + method);
+    const Run circle = run_contour(kTwoTurns, std::string("--set control.interpolation=") + method);
     CHECK(circle.report["contour_error_um_max"].get<double>() == Approx(28).epsilon(0.2));
   }
 }
@@ -134,7 +136,7 @@ TEST_CASE("with stiff loops the tool is on the path, whatever becomes of the fee
   const std::string stiff = "--set axis.x.drive.kv_1_s=1000 --set axis.y.drive.kv_1_s=1000 ";
   for (const char* events :
        {"", "--at 0.5:override=30 --at 1:override=100", "--at 0.7:hold --at 1.5:resume"}) {
-    const Run polygon = run(chords(), stiff + events);
+    const Run polygon = run_contour(chords(), stiff + events);
     INFO(polygon.ended.err);
     CHECK(polygon.report["status"] == "done");
     CHECK(polygon.report["contour_error_um_max"].get<double>() < 10);
@@ -142,13 +144,14 @@ TEST_CASE("with stiff loops the tool is on the path, whatever becomes of the fee
 }
 
 TEST_CASE("a drill that goes back the way it came is on its path", "[apps][contour]") {
-  const Run drilled = run("G21 G90 G17 G0 Z5\nG1 Z-0.4 F300\nG1 Z0.4\nG1 Z-0.6\nG0 Z5\nM2\n",
-                          "--set axis.z.drive.kv_1_s=1000");
+  const Run drilled =
+      run_contour("G21 G90 G17 G0 Z5\nG1 Z-0.4 F300\nG1 Z0.4\nG1 Z-0.6\nG0 Z5\nM2\n",
+                  "--set axis.z.drive.kv_1_s=1000");
   CHECK(drilled.report["contour_error_um_max"].get<double>() < 10);
 }
 
 TEST_CASE("where the gains of the axes differ, that is said", "[apps][contour]") {
-  const Run line = run("G1 X50 Y50 F3000\nM2\n", "--set axis.y.drive.kv_1_s=25");
+  const Run line = run_contour("G1 X50 Y50 F3000\nM2\n", "-v --set axis.y.drive.kv_1_s=25");
   // Across a line of 45 degrees: half of v (1/25 - 1/30).
   CHECK(line.report["contour_error_um_max"].get<double>() ==
         Approx(1000 * 50.0 / 2 * (1 / 25.0 - 1 / 30.0)).epsilon(0.1));
@@ -157,21 +160,21 @@ TEST_CASE("where the gains of the axes differ, that is said", "[apps][contour]")
 }
 
 TEST_CASE("on a line to and fro the tool is never off", "[apps][contour]") {
-  const Run there = run("G21 G90\nG1 X5 F1000\nX0\nX5\nX0\nM2\n", "");
+  const Run there = run_contour("G21 G90\nG1 X5 F1000\nX0\nX5\nX0\nM2\n", "");
   CHECK(there.report["contour_error_um_max"].get<double>() < 0.02);
 }
 
 TEST_CASE("a contour error beyond its tolerance is reported", "[apps][contour]") {
   const std::string tolerance =
       "--set control.corner_tolerance_um=0 --set control.contour_tolerance_um=";
-  const Run kept = run(kCircle, tolerance + "10");
+  const Run kept = run_contour(kTwoTurns, "-v " + tolerance + "10");
   CHECK(kept.ended.status == 0);
   CHECK(kept.ended.err.find("SC5061") == std::string::npos);
   CHECK(double(kept.report["contour_error_um_max"]) <= 12.5);
   CHECK(double(kept.report["time_by_limit_s"]["contour"]) > 10);
-  CHECK(shows(kept.ended.err, "leaves 10 um\n  (control.contour_tolerance_um)"));
+  CHECK(shows(kept.ended.err, "leaves 10 µm\n  (control.contour_tolerance_um)"));
   // Friction holds an axis that turns back, however slow it is.
-  const Run beyond = run(kCircle, tolerance + "2");
+  const Run beyond = run_contour(kTwoTurns, tolerance + "2");
   CHECK(beyond.ended.status == 0);
   CHECK(shows(beyond.ended.err,
               "p.nc:3:1: warning: the table is ... um off the path at ... s, where "

@@ -6,7 +6,8 @@
 
 A command line is a line of a block of code, or code within a text, that begins with one of WORDS.
 Each page has a folder of its own with a copy of programs/, in which its lines run in their order;
-each must end with status 0. LEFT_OUT lists what is not run, with the reason; a reason that no page
+each must end with status 0. A block of code with the name of a file behind its language (```toml
+part.toml) is that file. LEFT_OUT lists what is not run, with the reason; a reason that no page
 needs is an error, too.
 """
 import collections
@@ -28,60 +29,68 @@ BUILDS = "installs packages and builds"
 MEASURES = "builds, and measures for minutes to hours"
 LEFT_OUT = {
     "scripts/run programs/08_butterfly.nc": BUILDS + "; the same with softcnc run is run",
-    "scripts/run": BUILDS,
     "scripts/test": BUILDS + "; it runs this",
-    "scripts/test_package": BUILDS + "; scripts/test runs it",
-    "scripts/test --quick": BUILDS + "; it runs this",
-    "scripts/make_golden": BUILDS + ", and replaces what the tests compare with",
-    "scripts/make_programs.py": "writes into the sources; a test of its own runs it with --check",
-    "scripts/make_codes.py": "writes into the sources; a test of its own runs it with --check",
-    "scripts/make_code_table.py": "writes into the sources; a test of its own runs it with --check",
-    "scripts/report_page": BUILDS + ", with Node, and writes into the sources; scripts/test runs it with --check",
-    "scripts/pictures": BUILDS + ", and writes into the sources",
-    "scripts/tidy": BUILDS,
-    "scripts/coverage": BUILDS,
-    "scripts/fuzz SECONDS": BUILDS + "; scripts/test runs it",
-    "scripts/fuzz --runs N": BUILDS + "; scripts/test runs it",
-    "scripts/try_faults": BUILDS + "; a test of its own runs some of it",
-    "scripts/compare_builds": "needs two builds",
-    "scripts/feed_table": MEASURES,
-    "scripts/feed_table --check": MEASURES,
-    "scripts/feed_table --write": MEASURES,
-    "scripts/planning_cost": MEASURES,
-    "scripts/pulse_table": MEASURES,
-    "scripts/surface_table": MEASURES,
-    "scripts/roughness_table": MEASURES,
-    "scripts/roughness_map": MEASURES,
-    "scripts/roughness_map rmax": MEASURES,
-    "scripts/roughness_map critical feed_from=0.5 feed_step=0.01": MEASURES,
-    "scripts/roughness_map rmax radius=3 pick=0.2 grid_um=1 feed_to=1.5": MEASURES,
+    "scripts/check package": BUILDS + "; scripts/test runs it",
+    "scripts/generate golden": BUILDS + ", and replaces what the tests compare with",
+    "scripts/generate programs": "writes into the sources; a test of its own runs it with --check",
+    "scripts/generate codes": "writes into the sources; a test of its own runs it with --check",
+    "scripts/generate code_table": "writes into the sources; a test of its own runs it with --check",
+    "scripts/generate options": "writes into the sources; a test of its own runs it with --check",
+    "scripts/generate page": BUILDS + ", with Node, and writes into the sources; scripts/test runs it with --check",
+    "scripts/generate pictures": BUILDS + ", and writes into the sources",
+    "scripts/check": "checks the sources, which are not in the folder of a page",
+    "scripts/check --help": "is not in the folder of a page",
+    "scripts/generate --check": "checks the sources; a test of its own runs each part of it",
+    "scripts/generate --help": "is not in the folder of a page",
+    "scripts/generate": "lists its names",
+    "scripts/stress": "lists its names",
+    "scripts/bench": "lists its names",
+    "scripts/check tidy": BUILDS,
+    "scripts/check coverage": BUILDS,
+    "scripts/check page": BUILDS + ", with Node; scripts/test runs it",
+    "scripts/stress fuzz SECONDS": BUILDS + "; scripts/test runs it",
+    "scripts/stress fuzz --runs N": BUILDS + "; scripts/test runs it",
+    "scripts/stress faults": BUILDS + "; a test of its own runs some of it",
+    "scripts/check builds": "needs two builds",
+    "scripts/generate feed": MEASURES,
+    "scripts/generate feed --check": MEASURES,
+    "scripts/generate feed --write": MEASURES,
+    "scripts/bench planning": MEASURES,
+    "scripts/generate pulses": MEASURES,
+    "scripts/generate surface": MEASURES,
+    "scripts/generate roughness": MEASURES,
+    "scripts/generate roughness_map": MEASURES,
+    "scripts/generate roughness_map rmax": MEASURES,
+    "scripts/generate roughness_map critical feed_from=0.5 feed_step=0.01": MEASURES,
+    "scripts/generate roughness_map rmax radius=3 pick=0.2 grid_um=1 feed_to=1.5": MEASURES,
     "scripts/figures": MEASURES,
     "scripts/figures 004": MEASURES,
     "scripts/figures --check": MEASURES + "; a test of its own runs it",
     "scripts/figures --draw": "writes into the sources",
-    "scripts/make_airfoil.py": "writes into the sources; a test of its own runs it with --check",
+    "scripts/generate airfoil": "writes into the sources; a test of its own runs it with --check",
     "softcnc surface plane.nc --machine programs/21_paper004_surface.toml --set stock.origin_mm=[7,0.5,-1]"
     " --set stock.x_mm=2 --set stock.y_mm=2 --set stock.z_mm=8 --set stock.grid_um=2.5 -o plane.npz --report plane.json": "runs the program above it; scripts/figures does",
     "tests/oracle/papers_test.py": "is a test of its own",
     "tests/apps/ci_recipes.py": "is a test of its own",
-    "scripts/random_pulses": MEASURES,
-    "scripts/random_pulses [COUNT]": MEASURES,
-    "scripts/random_programs": MEASURES,
-    "scripts/typing_mistakes": MEASURES,
-    "scripts/compare_rs274": "installs linuxcnc-uspace",
-    "scripts/test_hal": "installs linuxcnc-uspace",
-    "scripts/test_parport": "boots another kernel in an emulator",
+    "scripts/stress pulses": MEASURES,
+    "scripts/stress pulses [COUNT]": MEASURES,
+    "scripts/stress programs": MEASURES,
+    "scripts/stress mistakes": MEASURES,
+    "scripts/check rs274": "installs linuxcnc-uspace",
+    "scripts/check hal": "installs linuxcnc-uspace",
+    "scripts/check parport": "boots another kernel in an emulator",
     "tests/apps/documented_commands.py": "is this one",
     "tests/oracle/check_trace.py": "is part of another test",
     "tests/oracle/mixed_paths.py": "is part of another test",
     "tests/oracle/programmed_path.py": "is part of another test",
     "tests/oracle/time_optimal.py": "is part of another test",
-    "build/release/apps/softcnc/softcnc --help": "the build under test may be another one",
-    "ROWS=rows halrun -I -f programs/hal/mill.hal": "needs linuxcnc-uspace; scripts/test_hal runs it",
+    "ROWS=rows halrun -I -f programs/hal/mill.hal": "needs linuxcnc-uspace; scripts/check hal runs it",
     "halstreamer < trace.hal": "needs linuxcnc-uspace",
     "halstreamer": "needs linuxcnc-uspace",
     "grep -v '^#' FILE | xxhsum -H2": "needs the package xxhash",
 }
+# Scripts whose first word is a name that they list with --help.
+LISTS_NAMES = ("scripts/generate", "scripts/stress", "scripts/check", "scripts/bench")
 
 # Lines with a placeholder, as shown, and the lines that are run for them.
 STANDS_FOR = {
@@ -171,6 +180,19 @@ def run(command, folder, softcnc):
     return f"status {ended.returncode}\n{shown[-1000:]}"
 
 
+def exists(command):
+    """Whether a script is there and, where it takes the name of a part, lists that name."""
+    script, *words = command.split()
+    if not script.startswith(("scripts/", "tests/")):
+        return True
+    if not (ROOT / script).exists():
+        return False
+    if script not in LISTS_NAMES or not words or words[0].startswith("-"):
+        return True
+    listed = subprocess.run([ROOT / script, "--help"], check=True, capture_output=True, text=True).stdout
+    return re.search(rf"^  {re.escape(words[0])} ", listed, re.MULTILINE) is not None
+
+
 def try_page(page, text, softcnc):
     """The faults of a page, and the number of its command lines that were run."""
     faults, count = [], 0
@@ -178,11 +200,12 @@ def try_page(page, text, softcnc):
         shutil.copytree(ROOT / "programs", pathlib.Path(folder) / "programs")
         for command in BEFORE.get(page, []):
             assert not run(command, folder, softcnc), command
+        for name, content in re.findall(r"^```\w+ (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+            (pathlib.Path(folder) / name).write_text(content)
         for number, command in command_lines(text):
             if command in LEFT_OUT:
-                script = ROOT / command.split()[0]
-                if command.startswith(("scripts/", "tests/")) and not script.exists():
-                    faults.append(f"{page}:{number}: {command}: there is no {script.name}")
+                if not exists(command):
+                    faults.append(f"{page}:{number}: {command}: there is no such script, or no such name")
                 continue
             count += 1
             if fault := run(as_run(command), folder, softcnc):

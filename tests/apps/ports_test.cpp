@@ -22,7 +22,7 @@ namespace {
 const std::string kToHal = "$softcnc run --backend hal-stream --set backend.hal-stream.file=";
 
 /// The lines that are no comments.
-std::string rows_of(const std::string& text) {
+std::string rows_without_comments(const std::string& text) {
   std::istringstream in(text);
   std::string rows;
   for (std::string line; std::getline(in, line);)
@@ -39,7 +39,7 @@ TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[
                             (folder / "r.json") + " --trace " + (folder / "t.csv"));
   CAPTURE(ended.err);
   REQUIRE(ended.status == 0);
-  const std::string rows = rows_of(ended.out);
+  const std::string rows = rows_without_comments(ended.out);
   const Trace trace = parse_trace(read(folder / "t.csv"));
   std::string expected, place;
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
@@ -52,7 +52,7 @@ TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[
   const auto report = nlohmann::json::parse(read(folder / "r.json"));
   CHECK(report["stream_rows"] == count);
   CHECK(report["stream_xxh3"] == hash_hex(rows));
-  CHECK(ended.err.find(std::to_string(count) + " rows sent, xxh3 " + hash_hex(rows)) !=
+  CHECK(ended.err.find(std::to_string(count) + " samples sent, xxh3 " + hash_hex(rows)) !=
         std::string::npos);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("rows for HAL keep accelerations and jerks at the servo period", "[app
   CAPTURE(ended.err);
   REQUIRE(ended.status == 0);
   const double t = std::stod(servo) / 1000;
-  std::istringstream rows(rows_of(ended.out));
+  std::istringstream rows(rows_without_comments(ended.out));
   std::array<double, 4> x{}, y{};  // newest first; the program begins at 0, 0
   double acceleration = 0, jerk = 0;
   const auto take = [&](std::array<double, 4>& last, double place) {
@@ -102,7 +102,7 @@ TEST_CASE("the period of the simulated loop counts", "[apps][ports]") {
         servo + " --trace " + (folder / "t.csv"));
     CAPTURE(ended.err);
     REQUIRE(ended.status == 0);
-    traces.insert(rows_of(read(folder / "t.csv")));
+    traces.insert(rows_without_comments(read(folder / "t.csv")));
   }
   CHECK(traces.size() == 3);
 }

@@ -9,6 +9,7 @@
 
 #include "apps/shell.hpp"
 #include "job/run_diagnostics.hpp"
+#include "support/period.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -19,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kPeriod = 0.001;
+using softcnc::test::kPeriod;
 
 /// Takes its time in one row, or raises an alarm there.
 class Fickle final : public hal::Backend {
@@ -81,7 +82,7 @@ void check_told(const Ended& ended, const json& report, double seconds) {
   CHECK(told("error: ... [SC5040]") == (overrun && rights));
   CHECK(told("warning: ... [SC5041]") == (overrun && !rights));
   CHECK(told("warning: ... [SC6075]") == !rights);
-  CHECK(told(" periods missed, at most "));
+  CHECK(told(" periods missed, max "));
   CHECK(kept["periods"] == report["setpoints"]);
   CHECK(kept["late_us"]["max"] >= kept["late_us"]["p50"]);
   CHECK(seconds >= report["time_s"].get<double>());

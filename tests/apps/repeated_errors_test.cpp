@@ -18,7 +18,8 @@ std::string rotary(int lines) {
   return program + "M2\n";
 }
 
-Ended check(const Folder& folder, const std::string& program, const std::string& options = {}) {
+Ended check_program(const Folder& folder, const std::string& program,
+                    const std::string& options = {}) {
   write(folder / "p.nc", program);
   return shell("cd " + (folder / "") + "; $softcnc check " + options + " p.nc");
 }
@@ -29,27 +30,29 @@ TEST_CASE("an axis that the machine does not have is one error, however many lin
           "[apps][check]") {
   const Folder folder;
   for (const int lines : {3, 5000}) {
-    const Ended ended = check(folder, rotary(lines));
+    const Ended ended = check_program(folder, rotary(lines));
     CHECK(ended.status == 1);
     CHECK(ended.out ==
           "p.nc:3:4: error: the machine has no axis A [SC2008]\n"
           "    3 | X1 A1\n"
           "      |    ^~\n"
           "p.nc:3:4: note: the machine has no axis A, here and on " +
-              std::to_string(lines - 1) + " more lines, the last of them " +
+              std::to_string(lines - 1) + " more lines (last: " +
               std::to_string(lines + 2) +
-              " [SC6005]\n"
+              ") [SC6005]\n"
               "    3 | X1 A1\n"
               "      |    ^~\n");
   }
-  CHECK(shows(check(folder, rotary(2)).out, " on 1 more line, the last of them 4 [SC6005]"));
-  CHECK(check(folder, rotary(1)).out.find("SC6005") == std::string::npos);
+  CHECK(
+      shows(check_program(folder, rotary(2)).out, " on 1 more line (last: 4) [SC6005]"));
+  CHECK(check_program(folder, rotary(1)).out.find("SC6005") == std::string::npos);
 }
 
 TEST_CASE("one cause does not hide another, nor another error", "[apps][check]") {
   const Folder folder;
   const std::string out =
-      check(folder, "G21 G90\nG1 X1 A1 F100\nX2 B2\nX1.2.3\nX3 A3\nM301\nM302\nM301\nM2\n").out;
+      check_program(folder, "G21 G90\nG1 X1 A1 F100\nX2 B2\nX1.2.3\nX3 A3\nM301\nM302\nM301\nM2\n")
+          .out;
   CHECK(shows(out, "p.nc:2:7: error: the machine has no axis A [SC2008]"));
   CHECK(shows(out, "p.nc:3:4: error: the machine has no axis B [SC2008]"));
   CHECK(shows(out, "p.nc:4:2: error: ... [SC1004]"));
@@ -65,21 +68,21 @@ TEST_CASE("of other errors with the same text ten are shown, and the rest is cou
   const Folder folder;
   std::string program = "G21 G90 F100\n";
   for (int i = 0; i < 5000; ++i) program += "G1 X1 Y\n";
-  const Ended ended = check(folder, program + "M2\n");
+  const Ended ended = check_program(folder, program + "M2\n");
   CHECK(ended.status == 1);
-  const json list = json::parse(check(folder, program + "M2\n", "--diagnostics json").out);
+  const json list = json::parse(check_program(folder, program + "M2\n", "--diagnostics json").out);
   REQUIRE(list.size() == 11);
   for (std::size_t i = 0; i < 10; ++i) CHECK(list[i]["code"] == "SC1002");
   CHECK(list[10]["code"] == "SC6005");
   CHECK(list[10]["line"] == 2);
-  CHECK(shows(ended.out, ", here and on 4999 more lines, the last of them 5001 [SC6005]"));
+  CHECK(shows(ended.out, ", here and on 4999 more lines (last: 5001) [SC6005]"));
 }
 
 TEST_CASE("of errors of one code a hundred are shown, and the rest is counted", "[apps][check]") {
   const Folder folder;
   std::string program;
   for (int i = 0; i < 300; ++i) program += "#" + std::to_string(9000 + i) + "=1\n";
-  const std::string out = check(folder, program + "M2\n").out;
+  const std::string out = check_program(folder, program + "M2\n").out;
   CHECK(shows(out,
               "p.nc:1:1: note: 200 more errors SC1025 like this one and the 99 shown, the last on "
               "line 300 [SC6005]\n"));
@@ -88,30 +91,30 @@ TEST_CASE("of errors of one code a hundred are shown, and the rest is counted", 
 TEST_CASE("errors of a program that looks like one of another dialect name it", "[apps][check]") {
   const Folder folder;
   const std::string grbl = "(grbl, TinyG, g2core)\nG21 G90\nZ5\nX10 Y10\nG1 Z-1 F100\nM2\n";
-  const std::string out = check(folder, grbl).out;
+  const std::string out = check_program(folder, grbl).out;
   CHECK(shows(out, "p.nc:3:1: error: Z with no motion code in force [SC2101]"));
   CHECK(shows(out,
               "p.nc:1:1: note: the program looks like one for grbl ('GRBL' in a comment): "
               "--dialect grbl [SC1059]\n"));
-  CHECK(check(folder, grbl, "--dialect grbl").status == 0);
-  const std::string chosen = check(folder, grbl, "--dialect auto").out;
+  CHECK(check_program(folder, grbl, "--dialect grbl").status == 0);
+  const std::string chosen = check_program(folder, grbl, "--dialect auto").out;
   CHECK(shows(chosen,
               "p.nc:1:1: note: the program is read in the grbl dialect; 'GRBL' in a comment "
               "shows it [SC1058]\n"));
   CHECK(chosen.find("SC1059") == std::string::npos);
-  CHECK(check(folder, "(for grbl)\nG0 X1\nM2\n").out.empty());
-  CHECK(shows(check(folder, "%\nO0001\nG65 P9 A1\n#1=#2+1\nM30\n%\n").out,
+  CHECK(check_program(folder, "(for grbl)\nG0 X1\nM2\n").out.empty());
+  CHECK(shows(check_program(folder, "%\nO0001\nG65 P9 A1\n#1=#2+1\nM30\n%\n").out,
               "note: the program looks like one for fanuc (an operator without brackets): "
               "--dialect fanuc [SC1059]"));
   const std::string numbered = "%\nO0001\nT1 M6\nG0 G91 G28 Z0\nM30\n%\n";
-  CHECK(shows(check(folder, numbered).out,
+  CHECK(shows(check_program(folder, numbered).out,
               "p.nc:2:1: note: the program looks like one for fanuc (the number of a program): "
               "--dialect fanuc [SC1059]\n"));
-  CHECK(shows(check(folder, numbered, "--dialect auto").out,
+  CHECK(shows(check_program(folder, numbered, "--dialect auto").out,
               "p.nc:2:1: note: the program is read in the fanuc dialect; the number of a program "
               "shows it [SC1058]\n"));
-  CHECK(check(folder, numbered, "--dialect auto").status == 0);
-  const std::string haas = check(folder, "O0001\nG0 X1..2\nM30\n", "--dialect haas").out;
+  CHECK(check_program(folder, numbered, "--dialect auto").status == 0);
+  const std::string haas = check_program(folder, "O0001\nG0 X1..2\nM30\n", "--dialect haas").out;
   CHECK(shows(haas, "SC1004"));
   CHECK(haas.find("SC1059") == std::string::npos);
 }
@@ -121,7 +124,7 @@ TEST_CASE("warnings of refused codes that nothing runs are counted as errors are
   const Folder folder;
   std::string program = "o<touch> sub\n";
   for (int i = 0; i < 30; ++i) program += "G38.2 Z-" + std::to_string(i + 1) + " F10\n";
-  const Ended ended = check(folder, program + "o<touch> endsub\nG0 X1\nM2\n");
+  const Ended ended = check_program(folder, program + "o<touch> endsub\nG0 X1\nM2\n");
   CHECK(ended.status == 0);
   CHECK(shows(ended.out,
               "p.nc:2:1: warning: G38.2 is refused: it moves up to the signal of a probe, and the "
@@ -129,7 +132,7 @@ TEST_CASE("warnings of refused codes that nothing runs are counted as errors are
   CHECK(shows(ended.out, "p.nc:11:1: warning: "));
   CHECK_FALSE(shows(ended.out, "p.nc:12:1: warning: "));
   CHECK(
-      shows(ended.out, "runs this line, here and on 29 more lines, the last of them 31 [SC6005]"));
+      shows(ended.out, "runs this line, here and on 29 more lines (last: 31) [SC6005]"));
 }
 
 TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {
@@ -150,7 +153,7 @@ TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {
 
 TEST_CASE("documents have the note, too", "[apps][check]") {
   const Folder folder;
-  const json list = json::parse(check(folder, rotary(9), "--diagnostics json").out);
+  const json list = json::parse(check_program(folder, rotary(9), "--diagnostics json").out);
   REQUIRE(list.size() == 2);
   CHECK(list[0]["code"] == "SC2008");
   CHECK(list[1]["code"] == "SC6005");
@@ -162,7 +165,7 @@ TEST_CASE("a program for another kind of control is one error", "[apps][check]")
   const auto only = [&](const std::string& program, const std::string& place,
                         const std::string& control) {
     for (const char* dialect : {"--dialect linuxcnc", "--dialect fanuc"}) {
-      const std::string out = check(folder, program, dialect).out;
+      const std::string out = check_program(folder, program, dialect).out;
       CAPTURE(out);
       CHECK(shows(out,
                   ":1: error: the program is made for ...; softcnc reads G-code "
@@ -189,7 +192,7 @@ TEST_CASE("a program with one word of another control is read as G-code", "[apps
   for (const char* program :
        {"G1 X10 F100\nMSG(\"hello\")\nX20 Y\nM30\n", "G1 X10 E5 F100\nX20 Y\nM30\n",
         "M104\nG1 X10 F100\nM84\nX20 Y\nM30\n"}) {
-    const std::string out = check(folder, program).out;
+    const std::string out = check_program(folder, program).out;
     CAPTURE(out);
     CHECK(out.find("SC2383") == std::string::npos);
     CHECK(shows(out, "error: no number after Y... [SC1002]"));

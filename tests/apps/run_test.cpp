@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A run from outside: trace, report, summary; and the same pipeline for every command.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "apps/run_report.hpp"
 #include "apps/shell.hpp"
 #include "motion/model/method.hpp"
 #include "support/shown.hpp"
@@ -13,15 +15,6 @@ using namespace softcnc::app::test;
 using nlohmann::json;
 
 namespace {
-
-/// The report of a run, without what depends on the computer.
-json report_of(const std::string& arguments, int status = 0) {
-  const Folder folder;
-  const Ended ended = call("run -q " + arguments + " --report " + (folder / "r.json"));
-  CAPTURE(ended.err);
-  CHECK(ended.status == status);
-  return json::parse(read(folder / "r.json"));
-}
 
 double sum(const json& object) {
   double total = 0;
@@ -37,20 +30,26 @@ TEST_CASE("a run writes nothing to stdout and a summary to stderr", "[apps][run]
   CHECK(ended.out.empty());
   for (const char* words : {"square.nc on retrofitted mill (built-in)\n", "  limited by  ",
                             "  feed  ", "  acceleration  ", "  chord error  ",
-                            " times faster than real time\n", "following", "counts"}) {
+                            " times faster than real time\n", "feed / limit, mm/min"}) {
     CAPTURE(words, ended.err);
     CHECK(ended.err.find(words) != std::string::npos);
   }
+  CHECK(std::ranges::count(ended.err, '\n') <= 16);
+  const std::string details = call("run -v $data/square.nc").err;
+  for (const char* words : {"following error", "counts of BLU", "limited by           time"})
+    CHECK(details.find(words) != std::string::npos);
   CHECK(ended.err.find('\033') == std::string::npos);  // no terminal: no colour, no bar
   CHECK(ended.err.find('\r') == std::string::npos);
   CHECK(call("run --quiet $data/square.nc").err.empty());
 }
 
-TEST_CASE("the summary reports the jerk of axes that have a limit of it", "[apps][run]") {
-  const std::string told = call("run $data/square.nc --set axis.x.jerk_mm_s3=50000").err;
-  const std::size_t row = told.find("  jerk of X, mm/s3 ");
+TEST_CASE("the details report the jerk of axes that have a limit of it", "[apps][run]") {
+  const std::string told = call("run -v $data/square.nc --set axis.x.jerk_mm_s3=50000").err;
+  const std::string name = "  jerk of X, mm/s³ ";
+  const std::size_t row = told.find(name);
   REQUIRE(row != std::string::npos);
-  const std::string figures = told.substr(row + 19, told.find('\n', row) - row - 19);
+  const std::size_t begin = row + name.size();
+  const std::string figures = told.substr(begin, told.find('\n', row) - begin);
   CHECK(std::stod(figures) == Approx(50000).epsilon(0.05));
   CHECK(figures.find(" / 50000") != std::string::npos);
   CHECK(told.find("jerk of Y") == std::string::npos);

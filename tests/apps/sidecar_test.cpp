@@ -12,14 +12,14 @@ using namespace softcnc::app::test;
 
 namespace {
 
-constexpr const char* kPart = "G21 G90\nG01 X10 F6000\nM30\n";
+constexpr const char* kShortLine = "G21 G90\nG01 X10 F6000\nM30\n";
 constexpr const char* kSlow = "name = \"slow mill\"\n[axis.x]\nvelocity_mm_min = 600\n";
 
 /// A folder with p.nc and, beside it, p.toml.
 class NeighbourPass {
  public:
   explicit NeighbourPass(const std::string& machine = kSlow) {
-    write(part(), kPart);
+    write(part(), kShortLine);
     write(machine_file(), machine);
   }
   std::string part() const { return folder_ / "p.nc"; }
@@ -34,10 +34,6 @@ class NeighbourPass {
   Folder folder_;
 };
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a machine file beside the program is its machine, and the summary names it",
@@ -46,18 +42,18 @@ TEST_CASE("a machine file beside the program is its machine, and the summary nam
   const std::string part = beside.part();
   const Ended run = call("run " + part + " --report " + (beside / "r.json"));
   CHECK(run.status == 0);
-  CHECK(holds(run.err, part + " on slow mill\n"));
-  CHECK(holds(run.err, "\n  machine      " + beside.machine_file() + ", beside the program\n"));
+  CHECK(shows(run.err, part + " on slow mill\n"));
+  CHECK(shows(run.err, "\n  machine        " + beside.machine_file() + ", beside the program\n"));
   const auto report = nlohmann::json::parse(read(beside / "r.json"));
   CHECK(report["machine_file"] == beside.machine_file());
   CHECK(report["time_s"].get<double>() > 1);
 
   const Ended named = call("run " + part + " --machine " + beside.machine_file());
-  CHECK(holds(named.err, " on slow mill\n"));
-  CHECK_FALSE(holds(named.err, "beside the program"));
+  CHECK(shows(named.err, " on slow mill\n"));
+  CHECK_FALSE(shows(named.err, "beside the program"));
   const Ended builtin = call("run " + part + " --machine builtin");
-  CHECK(holds(builtin.err, " on retrofitted mill (built-in)\n"));
-  CHECK_FALSE(holds(builtin.err, "beside the program"));
+  CHECK(shows(builtin.err, " on retrofitted mill (built-in)\n"));
+  CHECK_FALSE(shows(builtin.err, "beside the program"));
 }
 
 TEST_CASE("every command that takes a program takes the machine beside it", "[apps][sidecar]") {
@@ -81,9 +77,9 @@ TEST_CASE("each of several programs has the machine beside it", "[apps][sidecar]
   write(beside / "r.toml", "[axis.x]\n[axis.y]\nmax_mm = 0.5\n");
   const Ended ended = beside.in_it("$softcnc check p.nc q.nc r.nc");
   CHECK(ended.status == 3);
-  CHECK_FALSE(holds(ended.out, "p.nc:"));
-  CHECK_FALSE(holds(ended.out, "q.nc:"));
-  CHECK(holds(ended.out, "r.nc:1:"));
+  CHECK_FALSE(shows(ended.out, "p.nc:"));
+  CHECK_FALSE(shows(ended.out, "q.nc:"));
+  CHECK(shows(ended.out, "r.nc:1:"));
   CHECK(beside.in_it("$softcnc check -q p.nc q.nc r.nc --machine builtin").status == 0);
 }
 
@@ -98,7 +94,7 @@ TEST_CASE("the machine beside a program is compared in a replay, wherever that r
 
 TEST_CASE("a broken machine file beside a program is an error with its place", "[apps][sidecar]") {
   const NeighbourPass beside("[control]\nperiod_ms = -1\n");
-  write(beside / "good.nc", kPart);
+  write(beside / "good.nc", kShortLine);
   for (const std::string command : {"run", "run --dry-run", "check", "blocks"}) {
     const Ended ended = shell("$softcnc " + command + " -q " + beside.part() + " 2>&1");
     CAPTURE(command);
@@ -113,7 +109,7 @@ TEST_CASE("a broken machine file beside a program is an error with its place", "
 
 TEST_CASE("what a setting lacks is reported once for all machines", "[apps][sidecar]") {
   const NeighbourPass beside;
-  write(beside / "q.nc", kPart);
+  write(beside / "q.nc", kShortLine);
   const Ended ended = beside.in_it("$softcnc check p.nc q.nc --set control.preiod_ms=1");
   CHECK(ended.status == 2);
   CHECK(ended.out.find("SC7001") == ended.out.rfind("SC7001"));
@@ -123,7 +119,7 @@ TEST_CASE("what has the name of the machine of a program and is no file is an er
           "[apps][sidecar]") {
   const Folder folder;
   const std::string part = folder / "p.nc", machine = folder / "p.toml";
-  write(part, kPart);
+  write(part, kShortLine);
   struct Case {
     const char* make;
     const char* why;
@@ -150,20 +146,20 @@ TEST_CASE("what has the name of the machine of a program and is no file is an er
 
 TEST_CASE("only a file of its own is the machine of a program", "[apps][sidecar]") {
   const Folder folder;
-  write(folder / "q.toml", kPart);
+  write(folder / "q.toml", kShortLine);
   CHECK(call("check " + (folder / "q.toml")).status == 0);  // it is the program
   write(folder / "in.toml", "none");
-  CHECK(shell("cd " + (folder / "") + "; $softcnc check -", kPart).status == 0);
+  CHECK(shell("cd " + (folder / "") + "; $softcnc check -", kShortLine).status == 0);
 }
 
 TEST_CASE("a state file is no machine file", "[apps][sidecar]") {
   const std::string state = "schema = 1\n[work.\"G54\"]\nx_mm = 5\n";
   const Folder folder;
   const std::string part = folder / "p.nc";
-  write(part, kPart);
+  write(part, kShortLine);
   write(folder / "p.state.toml", state);
   CHECK(call("check " + part + " --state " + (folder / "p.state.toml")).out.empty());
-  write(folder / "p.state.nc", kPart);
+  write(folder / "p.state.nc", kShortLine);
   CHECK(call("check " + (folder / "p.state.nc")).out.empty());
   write(folder / "p.toml", state);
   CHECK(call("check " + part + " --state " + (folder / "p.toml")).out.empty());
@@ -203,9 +199,9 @@ TEST_CASE("a machine beside a program writes no file and opens no port", "[apps]
     // A busy computer may miss a period.
     CHECK((ended.status == 0 || (command == "run --realtime" && ended.status == 4)));
     CHECK(ended.out.starts_with("p.toml:7:"));
-    CHECK(holds(ended.out, ": warning"));
-    CHECK(holds(ended.out, "SC7021"));
-    CHECK(holds(ended.out, "backend." + backend + "." + tried.key +
+    CHECK(shows(ended.out, ": warning"));
+    CHECK(shows(ended.out, "SC7021"));
+    CHECK(shows(ended.out, "backend." + backend + "." + tried.key +
                                " is ignored unless --machine names the file: " + tried.says));
     CHECK(read(victim) == "mine");
     CHECK(beside.files() == before);
@@ -215,7 +211,7 @@ TEST_CASE("a machine beside a program writes no file and opens no port", "[apps]
   const Ended by_default = beside.in_it("$softcnc run -q p.nc 2>&1");
   CHECK(by_default.status == 0);
   CHECK(by_default.out.starts_with("p.toml:1:"));
-  CHECK(holds(by_default.out, "control.backend is ignored"));
+  CHECK(shows(by_default.out, "control.backend is ignored"));
   CHECK(beside.files() == before);
 }
 
@@ -228,11 +224,11 @@ TEST_CASE("a file that a setting names is written, whatever machine lies beside 
       "file: no edges are written [SC7021]\n"));
   const Ended ended = beside.in_it("$softcnc run p.nc --set backend.stepdir.file=yes.vcd");
   CHECK(ended.status == 0);
-  CHECK_FALSE(holds(ended.err, "SC7021"));
+  CHECK_FALSE(shows(ended.err, "SC7021"));
   CHECK(beside.files() == std::vector<std::string>{"p.nc", "p.toml", "yes.vcd"});
   const Ended named = beside.in_it("$softcnc run p.nc --machine p.toml");
   CHECK(named.status == 0);
-  CHECK_FALSE(holds(named.err, "SC7021"));
+  CHECK_FALSE(shows(named.err, "SC7021"));
   CHECK(std::filesystem::exists(beside / "no.vcd"));
 }
 
@@ -246,14 +242,14 @@ TEST_CASE("a report does not take the place of the machine beside the program", 
   const NeighbourPass beside;
   const Ended ended = call("run -q " + beside.part() + " --report " + beside.machine_file());
   CHECK(ended.status == 2);
-  CHECK(holds(ended.err, "name the same file"));
+  CHECK(shows(ended.err, "name the same file"));
   CHECK(read(beside.machine_file()) == kSlow);
 }
 
 TEST_CASE("a check that watches sees the machine beside the program come and go",
           "[apps][sidecar]") {
   const Folder folder;
-  write(folder / "p.nc", kPart);
+  write(folder / "p.nc", kShortLine);
   Talk talk({"check", "--watch", folder / "p.nc"});
   talk.hear("--- 0 errors");
   write(folder / "p.toml", "[axis.y]\n");

@@ -6,22 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "shell.hpp"
+#include "apps/run_report.hpp"
+#include "apps/shell.hpp"
 
 namespace softcnc::app::test {
 namespace {
 
-using json = nlohmann::json;
+using nlohmann::json;
 
-constexpr const char* kExactly = " --set control.corner_tolerance_um=0 ";
-
-json report_of(const std::string& arguments) {
-  const Folder folder;
-  const Ended ended = call("run " + arguments + " --quiet --report " + (folder / "r.json"));
-  INFO(ended.err);
-  CHECK(ended.status == 0);
-  return json::parse(read(folder / "r.json"));
-}
+constexpr const char* kSetNoRounding = " --set control.corner_tolerance_um=0 ";
 
 /// Turns of 6 mm radius in 60 chords each, which are tangent nowhere: joints of 6 degrees.
 std::string trochoid(const std::string& head, int turns = 6) {
@@ -133,7 +126,7 @@ TEST_CASE("the time sheet adds up to the time, by tool and by what it does", "[a
       folder / "p.nc",
       "G21 G90\nT1 M6\nS1000 M3\nG0 X10\nG1 X20 F600\nG4 P0.2\nX30\nX35 S1100\nX40 M8\nT2 M6\nM3\n"
       "G0 X0 Y10\nG1 X10\nG4 P0.1\nG0 X0\nM2\n");
-  const json report = report_of((folder / "p.nc") + kExactly);
+  const json report = report_of((folder / "p.nc") + kSetNoRounding);
   const json& tools = report["time_sheet"]["tools"];
   REQUIRE(tools.size() == 2);
   double all = 0;
@@ -153,12 +146,12 @@ TEST_CASE("the time sheet adds up to the time, by tool and by what it does", "[a
   CHECK(rests["corner"] == 1);  // from the rapid to the feed square to it
   CHECK(report["rests"]["count"] == 1);
 
-  const Ended told = call("run -v " + (folder / "p.nc") + kExactly);
-  CHECK(
-      told.err.find("  rests        1 at corners, 2 for a dwell, 1 for a tool, 1 for the spindle, "
-                    "1 for the coolant\n") != std::string::npos);
+  const Ended told = call("run -v " + (folder / "p.nc") + kSetNoRounding);
+  CHECK(told.err.find(
+            "  stops          1 at a corner, 2 for dwells, 1 for a tool, 1 for the spindle, "
+            "1 for the coolant\n") != std::string::npos);
   CHECK(told.err.find("\n  T1        ") != std::string::npos);
-  CHECK(call("run " + (folder / "p.nc") + kExactly).err.find("\n  T1 ") == std::string::npos);
+  CHECK(call("run " + (folder / "p.nc") + kSetNoRounding).err.find("\n  T1 ") == std::string::npos);
 }
 
 TEST_CASE("what rests at corners cost is reported, with the tolerance that wins it back",
@@ -166,14 +159,14 @@ TEST_CASE("what rests at corners cost is reported, with the tolerance that wins 
   const Folder folder;
   const std::string part = folder / "p.nc";
   write(part, trochoid(""));
-  const Ended checked = call("check " + part + kExactly);
+  const Ended checked = call("check " + part + kSetNoRounding);
   INFO(checked.out);
   CHECK(checked.status == 0);
   CHECK(checked.out ==
         part +
             ": warning: 359 rests at corners cost 10.3 s, 60 % of the time; G64 P0.01 (mm) or "
             "control.corner_tolerance_um = 10 would save that [SC4030]\n");
-  const json exact = report_of(part + kExactly);
+  const json exact = report_of(part + kSetNoRounding);
   const json rounded = report_of(part + " --set control.corner_tolerance_um=10");
   const double won = exact["time_s"].get<double>() - rounded["time_s"].get<double>();
   CHECK(seconds_in(checked.out) == Approx(won).epsilon(0.01));
@@ -184,9 +177,9 @@ TEST_CASE("what rests at corners cost is reported, with the tolerance that wins 
   CHECK(rounded["diagnostics"] == json::array());
   CHECK(rounded["rests"]["count"] == 1);  // from the rapid to the first chord
   // A dry run reports the same, and a pipe about the same.
-  CHECK(seconds_in(call("run --dry-run " + part + kExactly + "--trace /dev/null").err) ==
+  CHECK(seconds_in(call("run --dry-run " + part + kSetNoRounding + "--trace /dev/null").err) ==
         Approx(won).epsilon(0.01));
-  const Ended piped = shell("cat " + part + " | $softcnc check -" + kExactly);
+  const Ended piped = shell("cat " + part + " | $softcnc check -" + kSetNoRounding);
   CHECK(piped.out.find("cost about ") != std::string::npos);
   CHECK(seconds_in(piped.out) == Approx(won).epsilon(0.15));
 }
@@ -214,12 +207,12 @@ TEST_CASE("rests that no rounding wins back are not complained of", "[apps][time
   std::string holes = "G21 G90 F600\n";
   for (int i = 0; i < 20; ++i) holes += "G0 X" + std::to_string(3 * i) + "\nG1 Z-1\nG0 Z1\n";
   write(folder / "holes.nc", holes + "M2\n");
-  const Ended checked = call("check " + (folder / "holes.nc") + kExactly);
+  const Ended checked = call("check " + (folder / "holes.nc") + kSetNoRounding);
   CHECK(checked.out.empty());
   write(folder / "few.nc", "G21 G90 F600\nG1 X50\nY50\nX0\nY0\nM2\n");
-  CHECK(call("check " + (folder / "few.nc") + kExactly).out.empty());
+  CHECK(call("check " + (folder / "few.nc") + kSetNoRounding).out.empty());
   write(folder / "p.nc", trochoid(""));
-  CHECK(call("run --quiet --single-block " + (folder / "p.nc") + kExactly).err.empty());
+  CHECK(call("run --quiet --single-block " + (folder / "p.nc") + kSetNoRounding).err.empty());
 }
 
 }  // namespace softcnc::app::test

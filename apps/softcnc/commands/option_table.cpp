@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kMostLines = 1'000'000;                // of --worst
 constexpr int kMostPhases = 1000;                    // of --phases
-constexpr double kLargestOverride = 200;             // percent
+constexpr double kLargestOverridePercent = 200;      // percent
 constexpr double kShortest = 0.001, kLongest = 1e6;  // s, of a measurement
 
 constexpr CommandEntry kCommands[] = {
@@ -38,7 +38,7 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::surface, "surface",
      "Compute the surface that a part program machines, with its Rmax"},
     {CommandName::compare, "compare",
-     "Compare interpolation methods on part programs, begun at several places within the period"},
+     "Compare interpolation methods on part programs, at several sampling phases"},
     {CommandName::circle, "circle",
      "Measure the circles of a run: deviations, reversals, both directions (ISO 230-4)"},
     {CommandName::identify, "identify", "Find the drives of a machine from a trace of its motion"},
@@ -196,11 +196,9 @@ void backend(CLI::App& app, const OptionEntry& entry, Options& options) {
          });
 }
 
-constexpr const char* kGuessed = "auto";  // the dialect by the program
-
 void dialect(CLI::App& app, const OptionEntry& entry, Options& options) {
   std::vector<std::string> words{ipr::kDialectNames.begin(), ipr::kDialectNames.end()};
-  words.emplace_back(kGuessed);
+  words.emplace_back(ipr::kGuessed);
   choice(app, entry, options, words, [](Options& to, std::size_t index) {
     to.guess_dialect = index == ipr::kDialects;
     if (!to.guess_dialect) to.dialect = ipr::kAllDialects[index];
@@ -230,7 +228,7 @@ void feed_override(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option_function<double>(
          entry.names,
          [&options](double percent) {
-           if (!(percent > 0 && percent <= kLargestOverride))
+           if (!(percent > 0 && percent <= kLargestOverridePercent))
              throw CLI::ValidationError("--feed-override",
                                         "takes a percentage above 0 and at most 200");
            options.feed_override = percent / 100;
@@ -658,7 +656,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.xml",
      "Write the results as JUnit XML",
      text<&Options::junit>},
-    {{replay}, "--bless", "", "Make recordings that differ again, in place", flag<&Options::bless>},
+    {{replay}, "--bless", "", "Re-record those that differ", flag<&Options::bless>},
     {{replay}, "--shard", "K/N", "Replay the K-th of N parts of the recordings", shard},
     {{latency}, "--seconds", "SECONDS", "How long to measure (default 10)", seconds},
     {{latency},
@@ -755,7 +753,7 @@ constexpr OptionEntry kOptions[] = {
     {{run, check},
      "--worst",
      "N",
-     "Name the N lines that lose most time against their feed, with the limit",
+     "Name the N lines that lose the most time relative to the programmed feed, with the limit",
      worst},
 
     {{circle},

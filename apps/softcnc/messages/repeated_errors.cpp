@@ -119,9 +119,8 @@ std::vector<Diagnostic> RepeatedErrors::notes() const {
     if (!cause.is_hidden()) continue;
     Diagnostic note = cause.first;
     note.code = Code::SC6005;
-    note.message =
-        fmt::format("{}, here and on {} more line{}, the last of them {}", cause.first.message,
-                    cause.lines, cause.lines == 1 ? "" : "s", cause.last_line);
+    note.message = fmt::format("{}, here and on {} more line{} (last: {})", cause.first.message,
+                               cause.lines, cause.lines == 1 ? "" : "s", cause.last_line);
     all.push_back(std::move(note));
   }
   for (const auto& [code, kind] : kinds_) {

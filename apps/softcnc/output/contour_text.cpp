@@ -17,9 +17,8 @@ namespace softcnc::app {
 namespace {
 
 std::string figures_text(const ContourFigures& figures) {
-  return fmt::format("{:.1f} um at most (line {}, {:.3f} s), rms {:.1f} um",
-                     um_from_mm(figures.max), figures.line, figures.time,
-                     um_from_mm(figures.rms()));
+  return fmt::format("max {:.1f} µm (line {}, {:.3f} s), rms {:.1f} µm", um_from_mm(figures.max),
+                     figures.line, figures.time, um_from_mm(figures.rms()));
 }
 
 void add_figures(const ContourFigures& figures, const std::string& prefix,
@@ -48,7 +47,7 @@ std::string circle_text(const ContourFigures& worst, double kv) {
   if (!(worst.radius > 0)) return {};
   const double smaller = worst.speed * worst.speed / (2 * worst.radius * kv * kv);
   if (smaller > 1.5 * worst.max || worst.max > 1.5 * smaller) return {};
-  return fmt::format(", here R {:.3g} mm at F{:.0f} by {:.1f} um", worst.radius,
+  return fmt::format(", here R {:.3g} mm at F{:.0f} by {:.1f} µm", worst.radius,
                      mm_min_from_mm_s(worst.speed), um_from_mm(smaller));
 }
 
@@ -69,24 +68,38 @@ std::string feed_text(double mm_s) {
   return fmt::format("F{:.6g}", std::round(feed / unit) * unit);
 }
 
-/// The feeds at which about kGoal is left, as far as the machine can be faster.
+/// "F43 in the tightest curve (R 0.0286 mm), F71 at corners": the feeds at which about kGoal is
+/// left, as far as the machine can be faster.
 std::string feeds_text(const ContourReport& report, const Machine& machine, const Gains& loop) {
   const auto matters = [most = fastest_move(machine), &loop](double lag) {
     return lag > 0 && lag * loop.least < most;
   };
   std::vector<std::string> feeds;
   if (matters(report.curve_lag))
-    feeds.push_back(fmt::format("at {} in the sharpest curve (R {:.3g} mm)",
+    feeds.push_back(fmt::format("{} in the tightest curve (R {:.3g} mm)",
                                 feed_text(report.curve_lag * loop.least),
                                 report.curve_lag * report.curve_lag / (2 * ContourReport::kGoal)));
   if (matters(report.corner_lag))
-    feeds.push_back(fmt::format("at {} at corners", feed_text(report.corner_lag * loop.least)));
+    feeds.push_back(fmt::format("{} at corners", feed_text(report.corner_lag * loop.least)));
   if (loop.least != loop.largest)
-    feeds.push_back(fmt::format("at {} on lines", feed_text(2 * ContourReport::kGoal /
-                                                            (1 / loop.least - 1 / loop.largest))));
-  if (feeds.empty()) return {};
-  return fmt::format("\n  About {:.0f} um would remain {}.", um_from_mm(ContourReport::kGoal),
-                     fmt::join(feeds, ", "));
+    feeds.push_back(fmt::format(
+        "{} on lines", feed_text(2 * ContourReport::kGoal / (1 / loop.least - 1 / loop.largest))));
+  return fmt::format("{}", fmt::join(feeds, ", "));
+}
+
+/// Larger ones are explained: by tolerances alone the tool is off by as much.
+bool is_large(const ContourReport& report, const Machine& machine) {
+  return report.cutting.max > std::max({ContourReport::kGoal, machine.control.corner_tolerance,
+                                        machine.control.chord_tolerance});
+}
+
+/// What brings it down to kGoal.
+std::string advice(const ContourReport& report, const Machine& machine) {
+  if (machine.control.follow != Follow::off || !is_large(report, machine)) return {};
+  const std::string feeds = feeds_text(report, machine, gains(machine));
+  return fmt::format(
+      "\n    to stay within {:.0f} µm: {}{}control.follow=model, which compensates for servo lag",
+      um_from_mm(ContourReport::kGoal), feeds, feeds.empty() ? "" : ",\n    or ");
 }
 
 /// What commands ahead of the path leave.
@@ -100,7 +113,7 @@ std::string following_text(const Machine& machine) {
 
 std::string tolerance_text(const Machine& machine) {
   return fmt::format(
-      "\n  Speeds and rests at corners are such that the lag of the drives leaves {:.6g} um"
+      "\n  Speeds and rests at corners are such that the lag of the drives leaves {:.6g} µm"
       "\n  (control.contour_tolerance_um); friction where an axis turns back, and counts, add "
       "some.",
       um_from_mm(machine.control.contour_tolerance));
@@ -117,31 +130,25 @@ std::string explanation(const ContourReport& report, const Machine& machine) {
       "\n  v^2/(2 R Kv^2){}, and rounds corners.",
       loop.least, circle_text(report.cutting, loop.least));
   if (loop.least != loop.largest) text += unequal_text(loop);
-  text += feeds_text(report, machine, loop);
-  if (report.cutting.max > ContourReport::kGoal)
-    text += "\n  control.follow = \"model\" sends commands that make up for the lag of the drives.";
   return text;
 }
 
 }  // namespace
 
-std::string contour_line(const ContourReport& report) {
-  std::string text = "\n  contour error ";
+std::string contour_lines(const ContourReport& report, const Machine& machine) {
+  std::string text = "\n  contour error  ";
   text += report.cutting.instants > 0 ? figures_text(report.cutting) : "none: nothing was cut";
   if (report.rapids.instants > 0)
-    text += fmt::format("\n    of rapids   {}", figures_text(report.rapids));
-  return text;
+    text += fmt::format("\n    of rapids    {}", figures_text(report.rapids));
+  return text + advice(report, machine);
 }
 
 std::string contour_paragraph(const ContourReport& report, const Machine& machine) {
-  std::string text =
+  const std::string text =
       "\n\n  The contour error is the distance of the tool from the path. The following error is "
       "how"
       "\n  far an axis is behind its command; most of it lies along the path.";
-  const double corner_tolerance = machine.control.corner_tolerance;
-  const double small =
-      std::max({ContourReport::kGoal, corner_tolerance, machine.control.chord_tolerance});
-  return report.cutting.max > small ? text + explanation(report, machine) : text;
+  return is_large(report, machine) ? text + explanation(report, machine) : text;
 }
 
 void add_contour(const ContourReport& report, nlohmann::ordered_json& json) {

@@ -10,11 +10,11 @@
 
 namespace softcnc::app {
 
-/// The line of the summary beside that of the chord error: largest, where and when, and rms.
-std::string contour_line(const ContourReport& report);
+/// The lines of the summary: largest, where and when, and rms; where it is large, what brings it
+/// down to 10 µm.
+std::string contour_lines(const ContourReport& report, const Machine& machine);
 
-/// The paragraph below the axes: how it differs from the following error, and where it is large,
-/// why that is, and which feed would bring it down to 10 um.
+/// Two paragraphs for -v: how it differs from the following error, and where it is large, why.
 std::string contour_paragraph(const ContourReport& report, const Machine& machine);
 
 /// The keys contour_error_um_max, contour_error_um_rms and contour_error_at, and those with

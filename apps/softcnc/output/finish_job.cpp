@@ -24,19 +24,20 @@ void write_report(Job& job, const Options& options, JobResult& result) {
     result.status = worse_status(result.status, failed(written.error()));
 }
 
-/// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
-void say(const runtime::Outcome& outcome, const Options& options, const std::string& summary) {
-  spdlog::info("{}", summary);
-  spdlog::debug("{}", time_sheet_text(outcome.time_sheet));
-  if (options.worst > 0) spdlog::info("{}", worst_lines_text(outcome.worst_lines));
+/// The summary; with -v its details and the time sheet, too, and the worst lines where they are
+/// asked for.
+void print_summary(const Job& job, const Options& options, const JobResult& result) {
+  spdlog::info("{}", summary(job, result));
+  spdlog::debug("{}", details(job, result));
+  spdlog::debug("{}", time_sheet_text(result.outcome.time_sheet));
+  if (options.worst > 0) spdlog::info("{}", worst_lines_text(result.outcome.worst_lines));
 }
 
 }  // namespace
 
 int finish_job(Job& job, const Options& options, JobResult& result) {
   if (!options.report.empty()) write_report(job, options, result);
-  if (result.moved && result.ending != Ending::error)
-    say(result.outcome, options, summary(job, result));
+  if (result.moved && result.ending != Ending::error) print_summary(job, options, result);
   const std::size_t left = result.outcome.events_left;
   for (std::size_t i = job.options.events.size() - left;
        result.moved && result.ending == Ending::done && i < job.options.events.size(); ++i)

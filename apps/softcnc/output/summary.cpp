@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "messages/duration_text.hpp"
@@ -18,7 +17,7 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kBar = 30;  // characters for 100 %
+constexpr double kBarOfAll = 30;  // characters for 100 %
 
 std::string head(const Job& job, const JobResult& result) {
   std::string text = fmt::format("{} on {}", job.program.name(), job.machine.name);
@@ -30,65 +29,90 @@ std::string head(const Job& job, const JobResult& result) {
   return text;
 }
 
-/// Of rows on the curve their chords; pulses follow it between the rows.
+/// Of samples on the curve their chords; pulses follow it between the samples.
 std::string closeness(const Machine& machine, const Measured& measured) {
   if (is_by_pulses(machine.control.interpolation))
-    return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um on average",
+    return fmt::format("staircase      max {:.4f} µm from the curve, mean {:.4f} µm",
                        um_from_mm(measured.path_deviation),
                        um_from_mm(measured.path_deviation_mean));
   if (accelerates_after(machine.control.interpolation))
-    return fmt::format("off the path {:.4f} um at most", um_from_mm(measured.path_deviation));
-  return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
-                     um_from_mm(machine.control.chord_tolerance));
+    return fmt::format("off the path   max {:.4f} µm", um_from_mm(measured.path_deviation));
+  return fmt::format("chord error    max {:.4f} µm, {:.6g} µm allowed",
+                     um_from_mm(measured.chord_error), um_from_mm(machine.control.chord_tolerance));
 }
 
 std::string sizes(const Job& job, const runtime::Outcome& outcome) {
   return fmt::format(
-      "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
-      "  rows         {}, one every {:.6g} ms\n  {}{}",
+      "\n  time           {}\n  path           {:.3f} mm, {} block{}; {} samples, every {:.6g} ms{}"
+      "\n  {}{}",
       duration_text(outcome.time), outcome.last.s, outcome.last.block,
       outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
-      closeness(job.machine, outcome.measured),
-      outcome.contour ? contour_line(*outcome.contour) : "");
+      stops_line(outcome.time_sheet), closeness(job.machine, outcome.measured),
+      outcome.contour ? contour_lines(*outcome.contour, job.machine) : "");
 }
 
-/// The limits that held the feed down, longest first.
-std::string held_by(const runtime::Outcome& outcome) {
-  if (!(outcome.time > 0)) return {};
-  std::vector<std::size_t> order(outcome.time_by_limit.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+/// The limits that took time, longest first.
+std::vector<std::size_t> limits_by_time(const runtime::Outcome& outcome) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < outcome.time_by_limit.size(); ++i)
+    if (outcome.time_by_limit[i] > 0) order.push_back(i);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return outcome.time_by_limit[a] > outcome.time_by_limit[b];
   });
-  std::string text = "\n\n  limited by           time        %";
-  for (const std::size_t i : order) {
-    const double time = outcome.time_by_limit[i];
-    if (!(time > 0)) break;
-    const double part = time / outcome.time;
+  return order;
+}
+
+/// The limits that held the feed down, in a line.
+std::string limited_by(const runtime::Outcome& outcome) {
+  if (!(outcome.time > 0)) return {};
+  std::string text;
+  for (const std::size_t i : limits_by_time(outcome))
+    text += fmt::format("{}{} {:.1f} %", text.empty() ? "\n  limited by     " : ", ",
+                        name(static_cast<Limit>(i)), 100 * outcome.time_by_limit[i] / outcome.time);
+  return text;
+}
+
+/// The same with times and bars.
+std::string times_by_limit(const runtime::Outcome& outcome) {
+  std::string text = "  limited by           time        %";
+  for (const std::size_t i : limits_by_time(outcome)) {
+    const double part = outcome.time_by_limit[i] / outcome.time;
     text += fmt::format("\n  {:<14}{:>11}   {:>6.1f}  {}", name(static_cast<Limit>(i)),
-                        duration_text(time), 100 * part,
-                        std::string(static_cast<std::size_t>(std::ceil(kBar * part)), '#'));
+                        duration_text(outcome.time_by_limit[i]), 100 * part,
+                        std::string(static_cast<std::size_t>(std::ceil(kBarOfAll * part)), '#'));
   }
   return text;
 }
 
-std::string axis_row(const Machine& machine, const JobResult& result, int i) {
-  const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-  const runtime::Outcome& outcome = result.outcome;
-  const double following = result.following_error[static_cast<std::size_t>(i)];
-  return fmt::format("\n  {}     {:>8.2f} / {:<8.6g} {:>8.1f} / {:<8.6g} {:>12} {:>12.4f} {:>9}",
-                     kAxisLetters[static_cast<std::size_t>(i)], outcome.measured.velocity[i],
-                     axis.velocity, outcome.measured.acceleration[i], axis.acceleration,
-                     std::isnan(following) ? "-" : fmt::format("{:.1f}", um_from_mm(following)),
-                     outcome.last.position[i] + 0.0, Counts(axis.blu)(outcome.last.position[i]));
+/// Calls take(axis, i) for each axis that the machine has.
+template <typename Take>
+void for_each_present(const Machine& machine, Take&& take) {
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    if (axis.present) take(axis, i);
+  }
 }
 
-std::string axes(const Machine& machine, const JobResult& result) {
-  std::string text =
-      "\n\n  axis    velocity / limit      accel. / limit     following       end at     counts"
-      "\n          mm/s                  mm/s2              error, um       mm         of BLU";
-  for (int i = 0; i < kAxes; ++i)
-    if (machine.axes[static_cast<std::size_t>(i)].present) text += axis_row(machine, result, i);
+std::string axes(const Machine& machine, const runtime::Outcome& outcome) {
+  std::string text = "\n\n  axis   feed / limit, mm/min    accel. / limit, mm/s²    end at, mm";
+  for_each_present(machine, [&](const Axis& axis, int i) {
+    text += fmt::format("\n  {}    {:>10.0f} / {:<8.6g} {:>12.1f} / {:<8.6g} {:>13.4f}",
+                        kAxisLetters[static_cast<std::size_t>(i)],
+                        mm_min_from_mm_s(outcome.measured.velocity[i]),
+                        mm_min_from_mm_s(axis.velocity), outcome.measured.acceleration[i],
+                        axis.acceleration, outcome.last.position[i] + 0.0);
+  });
+  return text;
+}
+
+std::string drives(const Machine& machine, const JobResult& result) {
+  std::string text = "\n\n  axis   following error, µm       counts of BLU";
+  for_each_present(machine, [&](const Axis& axis, int i) {
+    const double following = result.following_error[static_cast<std::size_t>(i)];
+    text += fmt::format("\n  {}    {:>20} {:>19}", kAxisLetters[static_cast<std::size_t>(i)],
+                        std::isnan(following) ? "-" : fmt::format("{:.1f}", um_from_mm(following)),
+                        Counts(axis.blu)(result.outcome.last.position[i]));
+  });
   return text;
 }
 
@@ -97,20 +121,18 @@ std::string further_limits(const Machine& machine, const Measured& measured) {
     return limit > 0 ? fmt::format("\n  {:<24} {:>8.1f} / {:<8.6g}", name, value, limit) : "";
   };
   std::string text;
-  for (int i = 0; i < kAxes; ++i) {
-    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-    if (axis.present)
-      text += row(fmt::format("jerk of {}, mm/s3", kAxisLetters[static_cast<std::size_t>(i)]),
-                  measured.jerk[i], axis.jerk);
-  }
-  return text + row("tangential, mm/s2", measured.tangential, machine.limits.tangential) +
-         row("normal, mm/s2", measured.normal, machine.limits.normal);
+  for_each_present(machine, [&](const Axis& axis, int i) {
+    text += row(fmt::format("jerk of {}, mm/s³", kAxisLetters[static_cast<std::size_t>(i)]),
+                measured.jerk[i], axis.jerk);
+  });
+  return text + row("tangential, mm/s²", measured.tangential, machine.limits.tangential) +
+         row("normal, mm/s²", measured.normal, machine.limits.normal);
 }
 
 /// What the other program should have got.
 std::string sent(const JobResult& result) {
   if (!result.tally) return {};
-  return fmt::format("\n\n  {} rows sent, xxh3 {}", result.tally->rows, result.tally->checksum);
+  return fmt::format("\n\n  {} samples sent, xxh3 {}", result.tally->rows, result.tally->checksum);
 }
 
 /// Files that are there now.
@@ -124,7 +146,7 @@ std::string left(const std::vector<WrittenFile>& files) {
 std::string punctuality(const JobResult& result) {
   if (!result.punctuality) return {};
   const runtime::Punctuality& kept = *result.punctuality;
-  return fmt::format("\n\n  {} of {} periods missed, at most {:.1f} us late: {}", kept.overruns(),
+  return fmt::format("\n\n  {} of {} periods missed, max {:.1f} µs late: {}", kept.overruns(),
                      kept.lateness.wakeups(), static_cast<double>(kept.lateness.largest()) / 1e3,
                      text(kept.rights));
 }
@@ -139,16 +161,21 @@ std::string cost(const runtime::Outcome& outcome) {
 
 std::string machine_line(const Job& job) {
   if (job.machine_file.empty()) return {};
-  return fmt::format("\n  machine      {}, beside the program", job.machine_file);
+  return fmt::format("\n  machine        {}, beside the program", job.machine_file);
 }
 
 std::string summary(const Job& job, const JobResult& result) {
   const runtime::Outcome& outcome = result.outcome;
-  return head(job, result) + machine_line(job) + sizes(job, outcome) +
-         rests_line(outcome.time_sheet) + held_by(outcome) + axes(job.machine, result) +
+  return head(job, result) + machine_line(job) + sizes(job, outcome) + limited_by(outcome) +
+         axes(job.machine, outcome) + sent(result) + punctuality(result) + left(result.written) +
+         cost(outcome);
+}
+
+std::string details(const Job& job, const JobResult& result) {
+  const runtime::Outcome& outcome = result.outcome;
+  return times_by_limit(outcome) + drives(job.machine, result) +
          (outcome.contour ? contour_paragraph(*outcome.contour, job.machine) : "") +
-         further_limits(job.machine, outcome.measured) + sent(result) + punctuality(result) +
-         left(result.written) + cost(outcome);
+         further_limits(job.machine, outcome.measured);
 }
 
 }  // namespace softcnc::app

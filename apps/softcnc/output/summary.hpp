@@ -12,7 +12,11 @@ namespace softcnc::app {
 /// machine is another one.
 std::string machine_line(const Job& job);
 
-/// Several lines, without a newline at the end.
+/// What every user reads, in mm, mm/min and µm: ten to fifteen lines, without a newline at the end.
 std::string summary(const Job& job, const JobResult& result);
+
+/// What -v adds: the time by limit, following errors, counts, where the contour error comes from,
+/// and the further limits. Likewise.
+std::string details(const Job& job, const JobResult& result);
 
 }  // namespace softcnc::app

@@ -13,13 +13,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "at corners", "for a dwell", ...
-std::string_view reason(runtime::RestCause cause) {
+/// "at a corner", "for a dwell", ...
+std::string_view reason(runtime::RestCause cause, std::int64_t count) {
   constexpr std::array<std::string_view, runtime::kRestCauses> reasons{
-      "at corners",      "for a dwell",     "for a tool",
+      "at corners",      "for dwells",      "for tools",
+      "for the spindle", "for the coolant", "at stops",
+      "at outputs",      "on hold",         "where no faster plan was found"};
+  constexpr std::array<std::string_view, runtime::kRestCauses> reasons_of_one{
+      "at a corner",     "for a dwell",     "for a tool",
       "for the spindle", "for the coolant", "at a stop",
       "at an output",    "on hold",         "where no faster plan was found"};
-  return reasons[static_cast<std::size_t>(cause)];
+  return (count == 1 ? reasons_of_one : reasons)[static_cast<std::size_t>(cause)];
 }
 
 /// Calls take(cause, count) for those that there were.
@@ -34,7 +38,7 @@ void for_each_cause(const runtime::TimeSheet& sheet, Take&& take) {
 std::string rests_text(const runtime::TimeSheet& sheet) {
   std::string text;
   for_each_cause(sheet, [&](runtime::RestCause cause, std::int64_t count) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason(cause));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason(cause, count));
   });
   return text;
 }
@@ -79,9 +83,9 @@ Json lines_json(const std::vector<runtime::WorstLine>& lines) {
 
 }  // namespace
 
-std::string rests_line(const runtime::TimeSheet& sheet) {
+std::string stops_line(const runtime::TimeSheet& sheet) {
   const std::string rests = rests_text(sheet);
-  return rests.empty() ? rests : "\n  rests        " + rests;
+  return rests.empty() ? rests : "\n  stops          " + rests;
 }
 
 std::string time_sheet_text(const runtime::TimeSheet& sheet) {
@@ -91,7 +95,7 @@ std::string time_sheet_text(const runtime::TimeSheet& sheet) {
     text += fmt::format("\n  {:<10}{:>14}{:>14}{:>14}{:>14}", tool_text(one.tool),
                         duration_text(one.cutting), duration_text(one.rapid),
                         duration_text(one.dwell), duration_text(one.rest));
-  return text + rests_line(sheet);
+  return text + stops_line(sheet);
 }
 
 std::string worst_lines_text(const std::vector<runtime::WorstLine>& lines) {

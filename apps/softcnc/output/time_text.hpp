@@ -11,7 +11,7 @@ namespace softcnc::app {
 
 /// One line of the summary, with a newline before it: how often the machine rests, and why. Empty
 /// where it never does.
-std::string rests_line(const runtime::TimeSheet& sheet);
+std::string stops_line(const runtime::TimeSheet& sheet);
 
 /// Lines without a newline at the end: what each tool did with its time, and the rests by cause.
 std::string time_sheet_text(const runtime::TimeSheet& sheet);
