@@ -29,13 +29,13 @@ missing() {
 # as_root COMMAND...: never asks for a password without a terminal.
 as_root() {
   if ((EUID == 0)); then "$@"
-  elif [[ -t 0 ]]; then sudo -- "$@"
+  elif { : </dev/tty; } 2>/dev/null; then sudo -- "$@"
   else sudo -n -- "$@"; fi
 }
 
 apt_install() {
   as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --quiet --no-install-recommends "$@"
+    apt-get install --yes --quiet --no-install-recommends "$@" </dev/null
 }
 
 # need PACKAGE...: installs what is missing; exit 2 with the command to type if that is not allowed.
@@ -78,8 +78,8 @@ configure() {
   return 1
 }
 
-# Of one step of a build, most of which compile some files as one: seconds of CPU, about.
-seconds_per_step=8
+# Of one object of a build, most of which are of some files: seconds of CPU, about.
+seconds_per_object=8
 
 # show_progress: passes on what ninja prints, but of its steps only how far it is, every 20 s.
 show_progress() {
@@ -103,15 +103,16 @@ show_progress() {
 # build PRESET TARGET...: says how long it takes, about, and how far it is: ninja's own lines on a
 # terminal.
 build() {
-  local make=(ninja -C "$root/build/$1" -j"$(nproc)") steps
-  steps=$("${make[@]}" -n "${@:2}" | grep -c '^\[') || true
-  local seconds=$((steps * seconds_per_step / $(nproc)))
-  local long=''
-  ((seconds < 20)) || long=", which takes about $(((seconds + 59) / 60)) min on this computer"
+  local make=(ninja -C "$root/build/$1" -j"$(nproc)") objects seconds long=''
+  if [[ ! -f $root/build/$1/.ninja_log ]]; then
+    objects=$("${make[@]}" -t targets all | grep -c '\.o: CXX') || true
+    seconds=$((objects * seconds_per_object / $(nproc)))
+    long=", which takes about $(((seconds + 59) / 60)) min on this computer"
+  fi
   say "building ${*:2} in build/$1$long"
   if [[ -t 2 ]]; then
-    "${make[@]}" "${@:2}" >&2
+    "${make[@]}" "${@:2}" </dev/null >&2
   else
-    "${make[@]}" "${@:2}" | show_progress >&2
+    "${make[@]}" "${@:2}" </dev/null | show_progress >&2
   fi
 }

@@ -71,7 +71,7 @@ TEST_CASE("a circle is smaller by the closed form, and that is said", "[apps][co
   const std::string& shown = circle.ended.err;
   CHECK(shown.find("contour error  max 2") != std::string::npos);
   CHECK(shown.find("v^2/(2 R Kv^2), here R 50 mm at F3000 by 27.8 µm") != std::string::npos);
-  CHECK(shown.find("to stay within 10 µm: F1800 in the tightest curve (R 50 mm)") !=
+  CHECK(shown.find("About 10 µm of that would be left at F1800 in the tightest curve (R 50 mm)") !=
         std::string::npos);
 }
 

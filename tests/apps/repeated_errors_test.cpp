@@ -37,14 +37,12 @@ TEST_CASE("an axis that the machine does not have is one error, however many lin
           "    3 | X1 A1\n"
           "      |    ^~\n"
           "p.nc:3:4: note: the machine has no axis A, here and on " +
-              std::to_string(lines - 1) + " more lines (last: " +
-              std::to_string(lines + 2) +
+              std::to_string(lines - 1) + " more lines (last: " + std::to_string(lines + 2) +
               ") [SC6005]\n"
               "    3 | X1 A1\n"
               "      |    ^~\n");
   }
-  CHECK(
-      shows(check_program(folder, rotary(2)).out, " on 1 more line (last: 4) [SC6005]"));
+  CHECK(shows(check_program(folder, rotary(2)).out, " on 1 more line (last: 4) [SC6005]"));
   CHECK(check_program(folder, rotary(1)).out.find("SC6005") == std::string::npos);
 }
 
@@ -131,8 +129,7 @@ TEST_CASE("warnings of refused codes that nothing runs are counted as errors are
               "machine has none; nothing runs this line [SC2114]\n"));
   CHECK(shows(ended.out, "p.nc:11:1: warning: "));
   CHECK_FALSE(shows(ended.out, "p.nc:12:1: warning: "));
-  CHECK(
-      shows(ended.out, "runs this line, here and on 29 more lines (last: 31) [SC6005]"));
+  CHECK(shows(ended.out, "runs this line, here and on 29 more lines (last: 31) [SC6005]"));
 }
 
 TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {

@@ -11,7 +11,7 @@
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;
-using json = nlohmann::json;
+using nlohmann::json;
 
 namespace {
 

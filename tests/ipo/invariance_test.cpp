@@ -58,7 +58,7 @@ Figure small_curve(const std::string& name, double part) {
 /// In X and Y.
 std::vector<Figure> figures() {
   constexpr double kAround = 2 * std::numbers::pi;
-  if (kSanitized) return {chopped_circle(20, 0.1, 1.5, 0), small_curve("infinity8", 0.3)};
+  if (kSanitized) return {chopped_circle(20, 0.1, 1.5, 0), small_curve("infinity8", 0.05)};
   return {chopped_circle(20, 0.1, 1.5, 0),
           chopped_circle(20, 0.2, kAround, 0.005),
           chopped_circle(5, 0.1, kAround, 0.02),

@@ -90,7 +90,7 @@ TEST_CASE("whatever is asked of the feed on a long curve keeps the limits, and t
   const double jerk = GENERATE(0.0, 50'000.0);
   CAPTURE(jerk);
   const Machine machine = machine_with(250, 1000, jerk);
-  const auto blocks = between_lines(wave(1100));
+  const auto blocks = between_lines(wave(kSanitized ? 700 : 1100));
   const FeedControl half{0.5, false, false}, hold{1, true, false}, full{1, false, false};
   const Run result = run(
       machine, blocks,

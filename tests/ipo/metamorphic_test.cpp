@@ -17,6 +17,11 @@ using namespace softcnc;
 
 namespace {
 
+/// With sanitizers fewer do: they look for another kind of mistake.
+constexpr int kChords = test::kSanitized ? 6 : 30;
+constexpr double kMoreFeed = test::kSanitized ? 8 : 1.5,
+                 kMoreAcceleration = test::kSanitized ? 3 : 1.4,
+                 kMoreJerk = test::kSanitized ? 6 : 1.6;
 constexpr double kNoSlower = 1.002, kSameTime = 0.005;
 
 /// A line to a point, or an arc in the xy plane about a centre.
@@ -97,7 +102,7 @@ Course arcs(double size, double tolerance) {
 std::vector<Course> courses() {
   std::vector<Course> all;
   for (int axes = 1; axes <= 3; ++axes)
-    for (const double length : {0.1, 1.0}) all.push_back(chords(axes, length, 0.01, 30));
+    for (const double length : {0.1, 1.0}) all.push_back(chords(axes, length, 0.01, kChords));
   for (const double degrees : {30, 90, 120, 140})
     all.push_back(corner_course(degrees * std::numbers::pi / 180, 0.7, 0.05));
   for (const double size : {0.3, 3.0}) all.push_back(arcs(size, 0.01));
@@ -128,7 +133,7 @@ TEST_CASE("a higher feed never makes a motion slower", "[metamorphic][property]"
     for (const Course& course : courses()) {
       const Machine machine = course_machine(1000, jerk);
       double fastest = ipo::kUnlimited;
-      for (double feed = 5; feed < 300; feed *= 1.5) {
+      for (double feed = 5; feed < 300; feed *= kMoreFeed) {
         CAPTURE(jerk, course.name, feed);
         const double time = planned_time(machine, course.blocks(feed));
         CHECK(time <= kNoSlower * fastest);
@@ -141,7 +146,7 @@ TEST_CASE("a higher limit never makes a motion slower", "[metamorphic][property]
   for (const Course& course : courses())
     for (const double jerk : {0.0, 40'000.0}) {
       double fastest = ipo::kUnlimited;
-      for (double acceleration = 500; acceleration < 4000; acceleration *= 1.4) {
+      for (double acceleration = 500; acceleration < 4000; acceleration *= kMoreAcceleration) {
         CAPTURE(jerk, course.name, acceleration);
         const double time = planned_time(course_machine(acceleration, jerk), course.blocks(60));
         CHECK(time <= kNoSlower * fastest);
@@ -150,7 +155,7 @@ TEST_CASE("a higher limit never makes a motion slower", "[metamorphic][property]
     }
   for (const Course& course : courses()) {
     double fastest = ipo::kUnlimited;
-    for (double jerk = 10'000; jerk < 200'000; jerk *= 1.6) {
+    for (double jerk = 10'000; jerk < 200'000; jerk *= kMoreJerk) {
       CAPTURE(course.name, jerk);
       const double time = planned_time(course_machine(1000, jerk), course.blocks(60));
       CHECK(time <= kNoSlower * fastest);
@@ -164,7 +169,8 @@ TEST_CASE("a path takes as long as its reverse", "[metamorphic][property]") {
   for (const double tolerance : {0.01, 0.05, 0.1})
     for (const double degrees : {30, 60, 90, 110, 120, 130, 136, 140, 145, 150})
       for (const double heading : {0.0, 0.7, 1.3})
-        all.push_back(corner_course(degrees * std::numbers::pi / 180, heading, tolerance));
+        if (!test::kSanitized || degrees == 90)
+          all.push_back(corner_course(degrees * std::numbers::pi / 180, heading, tolerance));
   for (const double jerk : {0.0, 50'000.0})
     for (const Course& course : all) {
       CAPTURE(jerk, course.name, course.tolerance);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "ipr/interpret.hpp"
+#include "support/property.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -315,11 +316,11 @@ TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][difference
 }
 
 TEST_CASE("a program that the dialects read otherwise is reported", "[ipr][differences][good]") {
-  int differ = 0;
+  int differ = 0, programs = 0;
   for (const char* folder : {"/tests/good", "/tests/dialects", "/tests/bad", "/programs"})
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(SOFTCNC_SOURCE_DIR) + folder)) {
-      if (entry.path().extension() != ".nc") continue;
+      if (entry.path().extension() != ".nc" || ++programs % test::kPart != 0) continue;
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
       const Interpreted linuxcnc = run_compared(text, Dialect::linuxcnc),

@@ -7,8 +7,6 @@
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "ipr/interpret.hpp"
 #include "support/files.hpp"

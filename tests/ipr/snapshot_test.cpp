@@ -8,7 +8,6 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <iterator>
 
 #include "ipr/interpret.hpp"
 #include "ipr/text/called_texts.hpp"

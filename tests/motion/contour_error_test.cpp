@@ -8,12 +8,12 @@
 
 #include "support/curves.hpp"
 #include "support/paths.hpp"
+#include "support/period.hpp"
 
 using namespace softcnc;
+using test::kPeriod;
 
 namespace {
-
-constexpr double kPeriod = 0.001;  // s
 
 /// Paths one after the other, line 1, 2, ... of the program; the one at `rapid` is a rapid.
 struct Program {

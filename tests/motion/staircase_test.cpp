@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <string>
 
 #include "motion/geometry/spline.hpp"
 #include "support/curves.hpp"
@@ -75,6 +76,7 @@ double smallest_radius(const Path& path) {
 
 TEST_CASE("M_DSM keeps within 0.75 BLU of curves of radius 20 BLU", "[motion][pulse]") {
   const auto* name = GENERATE("butterfly", "circle_deg2", "infinity8");
+  if (test::kSanitized && name != std::string("circle_deg2")) return;  // which takes minutes
   const Path path = test::curve(name);
   const double blu = smallest_radius(path) / 20.5;
   CAPTURE(name, blu);

@@ -142,7 +142,7 @@ TEST_CASE("distances are those of the definition", "[runtime][difference][proper
   softcnc::test::holds([] {
     const auto any = [] {
       std::vector<AxisVector> points{AxisVector::Zero()};
-      const int count = *rc::gen::inRange(1, 120);
+      const int count = *rc::gen::inRange(1, softcnc::test::kSanitized ? 20 : 120);
       const auto step = [] { return *rc::gen::inRange(-9, 10) / 10.0; };
       for (int i = 0; i < count; ++i) {
         const double x = step(), y = step(), z = step();

@@ -15,9 +15,9 @@
 
 namespace softcnc::test {
 
-/// With sanitizers everything takes some ten times as long: there an eighth of the values has to
+/// With sanitizers everything takes some ten times as long: there a twentieth of the values has to
 /// do, since the release build tries them all.
-inline constexpr int kPart = kSanitized ? 8 : 1;
+inline constexpr int kPart = kSanitized ? 20 : 1;
 
 inline std::uint64_t seed() {
   const char* asked = std::getenv("SOFTCNC_SEED");

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "support/milled.hpp"
+#include "support/sanitized.hpp"
 
 using namespace softcnc;
 using namespace softcnc::surface;
@@ -109,6 +110,7 @@ TEST_CASE("nothing is cut below the ideal plane, however it is inclined", "[hal]
 TEST_CASE("edges followed in tiny steps leave the same heights", "[hal][workpiece]") {
   const int teeth = GENERATE(1, 2, 3, 4);
   const double spin = GENERATE(-300.0, 300.0);
+  if (softcnc::test::kSanitized && (teeth != 2 || spin < 0)) return;
   CAPTURE(teeth, spin);
   const Cutter cutter{3, teeth, spin};
   const AxisVector from(0.3, 0.1, 0.02), to(1.4, 0.9, 0.1);

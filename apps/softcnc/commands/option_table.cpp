@@ -581,7 +581,7 @@ constexpr OptionEntry kOptions[] = {
     {{run, record, report, machine}, "--backend", "", "Where setpoints are sent", backend},
     {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
 
-    {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed (default 100)",
+    {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed, not rapids (default 100)",
      feed_override},
     {kRuns, "--at", "SECONDS:WHAT",
      "Change the feed override, hold or resume during the run, for example 1.5:override=50 or "
@@ -769,7 +769,8 @@ constexpr OptionEntry kOptions[] = {
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",
      progress},
     {kMachines, "-q,--quiet", "", "Print nothing but diagnostics", flag<&Options::quiet>},
-    {kRuns, "-v,--verbose", "", "Print the cost of pre-flight, planning and verification", verbose},
+    {kRuns, "-v,--verbose", "",
+     "Print more: times by limit and tool, drives, counts, contour error, jerk, cost", verbose},
     {{check}, "-v,--verbose", "", "Print time and length of each program to stderr", verbose},
     {{surface}, "-v,--verbose", "", "Print the cost of planning and cutting", verbose},
     {{replay}, "-v,--verbose", "", "Name each recording of a folder that agrees", verbose},

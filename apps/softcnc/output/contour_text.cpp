@@ -81,25 +81,32 @@ std::string feeds_text(const ContourReport& report, const Machine& machine, cons
                                 report.curve_lag * report.curve_lag / (2 * ContourReport::kGoal)));
   if (matters(report.corner_lag))
     feeds.push_back(fmt::format("{} at corners", feed_text(report.corner_lag * loop.least)));
-  if (loop.least != loop.largest)
-    feeds.push_back(fmt::format(
-        "{} on lines", feed_text(2 * ContourReport::kGoal / (1 / loop.least - 1 / loop.largest))));
+  const double on_lines = 2 * ContourReport::kGoal / (1 / loop.least - 1 / loop.largest);
+  if (on_lines < fastest_move(machine))
+    feeds.push_back(fmt::format("{} on lines", feed_text(on_lines)));
   return fmt::format("{}", fmt::join(feeds, ", "));
 }
 
-/// Larger ones are explained: by tolerances alone the tool is off by as much.
-bool is_large(const ContourReport& report, const Machine& machine) {
-  return report.cutting.max > std::max({ContourReport::kGoal, machine.control.corner_tolerance,
-                                        machine.control.chord_tolerance});
+/// Up to here tolerances alone explain the error.
+double tolerance_of_path(const Machine& machine) {
+  return std::max(
+      {ContourReport::kGoal, machine.control.corner_tolerance, machine.control.chord_tolerance});
 }
 
-/// What brings it down to kGoal.
+/// What brings it down to kGoal: not a lower feed of the whole program, since where a curve follows
+/// a rapid, the lag of the rapid remains.
 std::string advice(const ContourReport& report, const Machine& machine) {
-  if (machine.control.follow != Follow::off || !is_large(report, machine)) return {};
-  const std::string feeds = feeds_text(report, machine, gains(machine));
+  constexpr double kFriction = 1.25;  // what it and counts add to a tolerance that is kept
+  const Control& control = machine.control;
+  if (control.follow != Follow::off || ignores_plan(control.interpolation)) return {};
+  if (report.cutting.max <=
+      kFriction * std::max(tolerance_of_path(machine), control.contour_tolerance))
+    return {};
+  const double goal = um_from_mm(ContourReport::kGoal);
   return fmt::format(
-      "\n    to stay within {:.0f} µm: {}{}control.follow=model, which compensates for servo lag",
-      um_from_mm(ContourReport::kGoal), feeds, feeds.empty() ? "" : ",\n    or ");
+      "\n    to stay within {:.0f} µm: control.contour_tolerance_um={:.0f}, which slows down where "
+      "needed,\n    or control.follow=model, which compensates for servo lag",
+      goal, goal);
 }
 
 /// What commands ahead of the path leave.
@@ -130,6 +137,9 @@ std::string explanation(const ContourReport& report, const Machine& machine) {
       "\n  v^2/(2 R Kv^2){}, and rounds corners.",
       loop.least, circle_text(report.cutting, loop.least));
   if (loop.least != loop.largest) text += unequal_text(loop);
+  if (const std::string feeds = feeds_text(report, machine, loop); !feeds.empty())
+    text += fmt::format("\n  About {:.0f} µm of that would be left at {}.",
+                        um_from_mm(ContourReport::kGoal), feeds);
   return text;
 }
 
@@ -148,7 +158,8 @@ std::string contour_paragraph(const ContourReport& report, const Machine& machin
       "\n\n  The contour error is the distance of the tool from the path. The following error is "
       "how"
       "\n  far an axis is behind its command; most of it lies along the path.";
-  return is_large(report, machine) ? text + explanation(report, machine) : text;
+  const bool is_large = report.cutting.max > tolerance_of_path(machine);
+  return is_large ? text + explanation(report, machine) : text;
 }
 
 void add_contour(const ContourReport& report, nlohmann::ordered_json& json) {

@@ -43,11 +43,13 @@ std::string closeness(const Machine& machine, const Measured& measured) {
 
 std::string sizes(const Job& job, const runtime::Outcome& outcome) {
   return fmt::format(
-      "\n  time           {}\n  path           {:.3f} mm, {} block{}; {} samples, every {:.6g} ms{}"
+      "\n  time           {}\n  path           {:.3f} mm, {} block{}; {} sample{}, every {:.6g} "
+      "ms{}"
       "\n  {}{}",
       duration_text(outcome.time), outcome.last.s, outcome.last.block,
-      outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
-      stops_line(outcome.time_sheet), closeness(job.machine, outcome.measured),
+      outcome.last.block == 1 ? "" : "s", outcome.setpoints, outcome.setpoints == 1 ? "" : "s",
+      ms_from_s(job.machine.control.period), stops_line(outcome.time_sheet),
+      closeness(job.machine, outcome.measured),
       outcome.contour ? contour_lines(*outcome.contour, job.machine) : "");
 }
 
@@ -151,10 +153,11 @@ std::string punctuality(const JobResult& result) {
                      text(kept.rights));
 }
 
-std::string cost(const runtime::Outcome& outcome) {
+std::string cost(const JobResult& result) {
   const double cpu = runtime::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
-  return fmt::format("\n\n  CPU {:.3f} s: {:.0f} times faster than real time", cpu,
-                     outcome.time / cpu);
+  const std::string text = fmt::format("\n\n  CPU {:.3f} s", cpu);
+  if (result.punctuality || result.outcome.time < cpu) return text;
+  return text + fmt::format(": {:.0f} times faster than real time", result.outcome.time / cpu);
 }
 
 }  // namespace
@@ -168,7 +171,7 @@ std::string summary(const Job& job, const JobResult& result) {
   const runtime::Outcome& outcome = result.outcome;
   return head(job, result) + machine_line(job) + sizes(job, outcome) + limited_by(outcome) +
          axes(job.machine, outcome) + sent(result) + punctuality(result) + left(result.written) +
-         cost(outcome);
+         cost(result);
 }
 
 std::string details(const Job& job, const JobResult& result) {
