@@ -30,6 +30,7 @@ MEASURES = "builds, and measures for minutes to hours"
 LEFT_OUT = {
     "scripts/run programs/08_butterfly.nc": BUILDS + "; the same with softcnc run is run",
     "scripts/test": BUILDS + "; it runs this",
+    "scripts/test --all": BUILDS + "; it runs this",
     "scripts/check package": BUILDS + "; scripts/test runs it",
     "scripts/generate golden": BUILDS + ", and replaces what the tests compare with",
     "scripts/generate programs": "writes into the sources; a test of its own runs it with --check",
