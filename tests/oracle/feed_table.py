@@ -4,7 +4,7 @@
 
     scripts/generate feed                        prints the tables as Markdown
     scripts/generate feed --write                puts them into docs/feed.md
-    scripts/generate feed --check                compares with docs/feed.md, but for CPU times
+    scripts/generate feed --check                compares with docs/feed.md, except CPU times
     tests/oracle/feed_table.py --softcnc FILE --plan-program FILE [...]    the same with these programs
 
 Every trace is checked by check_trace.py, every time is held against time_optimal.py. Exit 1 if a promise is broken or

@@ -9,17 +9,13 @@ import pathlib
 import re
 import sys
 
+from pages import LITERAL, TEXT, text_of, with_table, write_or_check
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TABLE = ROOT / "libs/ipr/handlers/gcode_table.cpp"
 PAGE = ROOT / "docs/gcode.md"
-LITERAL = r'"(?:[^"\\]|\\.)*"'
-TEXT = rf"((?:{LITERAL}\s*)+)"  # as in C++, literals that follow one another are one text
 ROW = re.compile(rf"{{'(\w)', (\w+), Group::\w+, order::\w+, ({LITERAL}), \w+,\s*{TEXT}")
 HEAD = "| code | words | what it does |\n|---|---|---|\n"
-
-
-def text_of(literals):
-    return "".join(literal[1:-1].replace('\\"', '"') for literal in re.findall(LITERAL, literals))
 
 
 def name_of(letter, number):
@@ -45,15 +41,7 @@ def table():
 def main(arguments):
     if arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    page = PAGE.read_text(encoding="utf-8")
-    begin = page.index(HEAD)
-    made = page[:begin] + table() + page[page.index("\n\n", begin) + 1:]
-    if arguments:
-        if made != page:
-            sys.exit(f"{PAGE} is not up to date; run scripts/generate code_table")
-        return
-    PAGE.write_text(made, encoding="utf-8")
-    print(f"wrote {PAGE.relative_to(ROOT)}")
+    write_or_check(PAGE, with_table(PAGE, HEAD, table()), bool(arguments), "code_table")
 
 
 if __name__ == "__main__":

@@ -9,11 +9,11 @@ import pathlib
 import re
 import sys
 
+from pages import TEXT, text_of, write_or_check
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TABLE = ROOT / "libs/motion/core/diagnostic_table.inc"
 PAGE = ROOT / "docs/codes.md"
-LITERAL = r'"(?:[^"\\]|\\.)*"'
-TEXT = rf"((?:{LITERAL}\s*)+)"  # as in C++, literals that follow one another are one text
 ROW = re.compile(rf"^SOFTCNC_DIAGNOSTIC\((\d+),\s*(\w+),\s*{TEXT},\s*{TEXT}\)", re.M)
 
 HEAD = """# What the codes mean
@@ -47,8 +47,7 @@ SECTIONS = {
 
 def joined(literals):
     """The text of C++ string literals, for a cell of a table."""
-    text = "".join(literal[1:-1] for literal in re.findall(LITERAL, literals))
-    return text.replace('\\"', '"').replace("|", "\\|")
+    return text_of(literals).replace("|", "\\|")
 
 
 def page(table):
@@ -66,13 +65,7 @@ def page(table):
 def main(arguments):
     if arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    made = page(TABLE.read_text())
-    if PAGE.exists() and PAGE.read_text() == made:
-        return
-    if arguments:
-        sys.exit("docs/codes.md is not what scripts/generate codes makes of the table")
-    PAGE.write_text(made)
-    print("wrote docs/codes.md")
+    write_or_check(PAGE, page(TABLE.read_text(encoding="utf-8")), bool(arguments), "codes")
 
 
 if __name__ == "__main__":

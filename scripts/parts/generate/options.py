@@ -12,6 +12,8 @@ import re
 import subprocess
 import sys
 
+from pages import with_table, write_or_check
+
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs/cli.md"
 HEAD = "| option | of | meaning |\n|---|---|---|\n"
@@ -22,7 +24,7 @@ def help_of(softcnc, *command):
 
 
 def commands_of(softcnc):
-    text = help_of(softcnc).split("\nCommands:\n" if "\nCommands:\n" in help_of(softcnc) else "\nSubcommands:\n")[1]
+    text = help_of(softcnc).split("\nSubcommands:\n")[1]
     return re.findall(r"^  ([a-z]+)\s", text.split("\n\n")[0], re.MULTILINE)
 
 
@@ -69,15 +71,7 @@ def main(arguments):
     if len(rest) > 1 or any(word.startswith("-") for word in rest):
         sys.exit(__doc__)
     softcnc = rest[0] if rest else ROOT / "build/release/apps/softcnc/softcnc"
-    page = PAGE.read_text(encoding="utf-8")
-    begin = page.index(HEAD)
-    made = page[:begin] + table(softcnc) + page[page.index("\n\n", begin) + 1:]
-    if check:
-        if made != page:
-            sys.exit(f"{PAGE} is not up to date; run scripts/generate options")
-        return
-    PAGE.write_text(made, encoding="utf-8")
-    print(f"wrote {PAGE.relative_to(ROOT)}")
+    write_or_check(PAGE, with_table(PAGE, HEAD, table(softcnc)), check, "options")
 
 
 if __name__ == "__main__":
