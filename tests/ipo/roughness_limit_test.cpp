@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "motion/roughness/roughness.hpp"
+#include "support/machines.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"
 #include "support/run.hpp"
@@ -19,12 +20,8 @@ constexpr double kSurfaceFeed = 100;  // mm/s: 0.5 mm per tooth at 6000 rpm and 
 Surface paper_surface() { return {5, 0.5, 0.01066888, 2, 100}; }
 
 Machine surfacing_machine(RoughnessModel model, double acceleration, double jerk = 0) {
-  Machine machine;
+  Machine machine = test::usual_machine(acceleration, jerk);
   machine.surfacing.model = model;
-  for (Axis& axis : machine.axes) {
-    axis.acceleration = acceleration;
-    axis.jerk = jerk;
-  }
   return machine;
 }
 

@@ -79,7 +79,7 @@ inline bool near(const AxisVector& a, const AxisVector& b, double tolerance = 1e
 
 using Places = std::vector<std::string>;
 
-/// What is told in words.
+/// Diagnostics as text.
 using Told = std::vector<std::string>;
 
 }  // namespace softcnc::ipr

@@ -117,10 +117,11 @@ double Window::settling_time() const noexcept {
   if (!turns && chain_.intervals[front_].straight()) return 0;
   std::size_t start = front_ - 1;
   while (start > 0 && chain_.nodes[start].own.q > 0) --start;
-  return contour->settling_time(
+  const double settling = contour->settling_time(
       {constraints_.most_u(chain_.intervals[front_ - 1].directions()),
        chain_.nodes[start].own.q > 0 ? kUnlimited : chain_.nodes[front_].s - chain_.nodes[start].s,
        turns ? chain_.nodes[front_].turn : 1});
+  return settling > 0 ? std::max(settling, constraints_.limits().period) : 0;
 }
 
 /// Drops what lies so far left of the front that it has no influence on what is ahead. Where that

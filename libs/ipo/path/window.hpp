@@ -99,7 +99,8 @@ class Window {
   double farthest_sample(const Turn& turn) const noexcept;
 
   /// Returns how long, s, the machine must wait at a rest at the front until the drives leave no
-  /// more than the contour tolerance of what follows; 0 if that goes straight on.
+  /// more than the contour tolerance of what follows: a period at least, so that there is a sample
+  /// in the rest; 0 if that goes straight on.
   double settling_time() const noexcept;
 
  protected:

@@ -201,12 +201,11 @@ bool Planner::settle() {
 }
 
 /// Where the direction turns at a stop between two samples, the polyline through the samples cuts
-/// the corner; if it cuts too much, the machine waits for the next sample. Where it waits for the
-/// drives, there is a sample in the rest.
+/// the corner; if it cuts too much, the machine waits for the next sample.
 void Planner::rest_at_turn(Profile& profile) {
   if (const double settling = window_->settling_time(); settling > 0) {
     last_rest_ = t_ + profile.duration();
-    return profile.add_rest(std::max(settling, constraints_.limits().period));
+    return profile.add_rest(settling);
   }
   const Window::Turn turn = window_->front_turn();
   if (!turn.turns) return;

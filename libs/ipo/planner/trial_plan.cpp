@@ -14,8 +14,7 @@ namespace {
 /// Returns how long, s, a rest at the front takes: what the drives need, or what it waits for the
 /// next sample at a turn, in the mean over all times from sample to sample.
 double rest_time(const Window& window, double period) {
-  if (const double settling = window.settling_time(); settling > 0)
-    return std::max(settling, period);
+  if (const double settling = window.settling_time(); settling > 0) return settling;
   const Window::Turn turn = window.front_turn();
   return turn.turns ? std::max(0.0, 0.5 * period - window.farthest_sample(turn)) : 0;
 }
