@@ -8,9 +8,14 @@ if(SOFTCNC_WERROR AND "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" M
 endif()
 target_include_directories(softcnc_options INTERFACE ${PROJECT_SOURCE_DIR}/libs)
 target_compile_options(softcnc_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${softcnc_warnings_are_errors}>:-Werror>
+  -Wall -Wextra -Wpedantic -Wconversion $<$<BOOL:${softcnc_warnings_are_errors}>:-Werror>
+  $<$<CXX_COMPILER_ID:GNU>:-Wshadow>  # clang++ also compares with the other files of a unity build
   -fvisibility=hidden -fvisibility-inlines-hidden  # the library shows include/softcnc alone
   -ffp-contract=off)  # one build, one family of CPUs: the same bytes
+if(SOFTCNC_HARDENED)
+  target_compile_definitions(softcnc_options INTERFACE _FORTIFY_SOURCE=2)
+  target_link_options(softcnc_options INTERFACE -Wl,-z,relro,-z,now)
+endif()
 if(SOFTCNC_SANITIZE)
   target_compile_options(softcnc_options INTERFACE
     -fsanitize=${SOFTCNC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -32,9 +37,11 @@ function(softcnc_precompile target)
   target_precompile_headers(${target} PRIVATE
     <algorithm> <array> <cmath> <cstdint> <deque> <functional> <map> <memory> <optional> <span>
     <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <tl/expected.hpp> ${ARGN})
-  # g++ 12 takes strings out of a precompiled header for code of ours, and warns falsely.
+  # g++ 12 takes strings out of a precompiled header for code of ours, and warns falsely; so it does
+  # of std::optional where one file of a unity build is compiled behind many others.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>
     $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread>)
 endfunction()
 

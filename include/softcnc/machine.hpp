@@ -11,7 +11,8 @@
 
 namespace softcnc::api {
 
-/// A value: copies are independent of each other.
+/// A value: copies are independent of each other. One that has been moved from is the built-in
+/// machine.
 class SOFTCNC_API Machine {
  public:
   /// Makes the built-in machine: three axes, a period of 1 ms, a simulated mill.
@@ -36,7 +37,7 @@ class SOFTCNC_API Machine {
   std::string toml() const;
 
   struct Data;
-  const Data& data() const noexcept { return *data_; }
+  const Data& data() const noexcept;
 
  private:
   explicit Machine(std::unique_ptr<Data> data) noexcept;

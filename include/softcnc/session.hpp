@@ -30,11 +30,13 @@ struct Row {
 };
 
 /// The session has no clock: each step() is one period of the machine, and whoever calls it decides
-/// when. Its rows are those of `softcnc run`. It is not thread-safe.
+/// when. Its rows are those of `softcnc run`. It is not thread-safe. One that has been moved from
+/// has ended: it takes nothing, and gives nothing.
 class SOFTCNC_API Session {
  public:
   /// Opens a session on the backend that the machine names, or on one of your own. Errors: those of
-  /// the machine's backend.
+  /// the machine's backend. One of your own that is null, or that returns a position that is not
+  /// finite, is an alarm.
   static Expected<Session> open(const Machine& machine, const RunOptions& options = {});
   static Session on(std::shared_ptr<Backend> backend, const Machine& machine,
                     const RunOptions& options = {});
@@ -44,8 +46,8 @@ class SOFTCNC_API Session {
   ~Session();
 
   /// Adds text to the program; a line counts once its end has come. A subprogram, a loop and what a
-  /// branch leaves out must come as one text. Returns false, and adds nothing, after end(), where
-  /// the session has ended, and where nothing more can be kept.
+  /// branch leaves out must come as one text. Returns false, and adds nothing, after end() and
+  /// abort(), where the session has ended, and where nothing more can be kept.
   bool feed(std::string_view text);
   /// Says that nothing more is fed.
   void end() noexcept;

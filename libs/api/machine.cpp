@@ -18,7 +18,7 @@ Expected<softcnc::Machine> machine_of(hal::MachineOrErrors machine) {
 
 Machine::Machine() : data_(std::make_unique<Data>()) {}
 Machine::Machine(std::unique_ptr<Data> data) noexcept : data_(std::move(data)) {}
-Machine::Machine(const Machine& other) : data_(std::make_unique<Data>(*other.data_)) {}
+Machine::Machine(const Machine& other) : data_(std::make_unique<Data>(other.data())) {}
 Machine::Machine(Machine&& other) noexcept = default;
 Machine& Machine::operator=(Machine other) noexcept {
   std::swap(data_, other.data_);
@@ -44,9 +44,14 @@ Expected<Machine> Machine::with(const std::vector<std::string>& settings) const 
   return Machine(std::make_unique<Data>(Data{std::move(*machine)}));
 }
 
-double Machine::period() const noexcept { return data_->machine.control.period; }
+const Machine::Data& Machine::data() const noexcept {
+  static const Data built_in{};
+  return data_ ? *data_ : built_in;
+}
+
+double Machine::period() const noexcept { return data().machine.control.period; }
 std::string Machine::toml() const {
-  return hal::machine_toml(hal::with_whole_paths(data_->machine));
+  return hal::machine_toml(hal::with_whole_paths(data().machine));
 }
 
 }  // namespace softcnc::api

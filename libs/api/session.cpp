@@ -18,11 +18,15 @@ class CustomBackend final : public hal::Backend {
       : backend_(std::move(backend)), period_(period) {}
 
   softcnc::Feedback exchange(const softcnc::Setpoint& setpoint) noexcept override {
+    if (!backend_) return {last_, Alarm::driver_fault};
     const api::Feedback feedback = backend_->exchange(setpoint_of(setpoint, period_));
+    if (!feedback.position.allFinite()) return {last_, Alarm::driver_fault};
     last_ = feedback.position;
     return {last_, feedback.alarm ? Alarm::driver_fault : Alarm::none};
   }
-  void rest() noexcept override { backend_->rest(); }
+  void rest() noexcept override {
+    if (backend_) backend_->rest();
+  }
   softcnc::AxisVector settle() const noexcept override { return last_; }
 
  private:
@@ -85,32 +89,50 @@ Session Session::on(std::shared_ptr<Backend> backend, const Machine& machine,
 }
 
 bool Session::feed(std::string_view text) {
-  return data_->session.takes_more() && data_->session.feed(text).has_value();
+  return data_ && data_->session.takes_more() && data_->session.feed(text).has_value();
 }
-void Session::end() noexcept { data_->session.end(); }
-void Session::rest() noexcept { data_->session.rest(); }
+void Session::end() noexcept {
+  if (data_) data_->session.end();
+}
+void Session::rest() noexcept {
+  if (data_) data_->session.rest();
+}
 
 std::optional<Row> Session::step() {
-  const auto row = data_->session.step();
+  const auto row = data_ ? data_->session.step() : std::nullopt;
   if (!row) return std::nullopt;
   data_->values.assign(row->values.begin(), row->values.end());
   return Row{setpoint_of(row->setpoint, data_->machine.control.period),
              {row->feedback.position, row->feedback.alarm != Alarm::none}};
 }
 
-SessionStatus Session::status() const noexcept { return status_of(data_->session.status()); }
-void Session::hold() noexcept { data_->session.hold(); }
-void Session::resume() noexcept { data_->session.resume(); }
-void Session::set_feed_override(double feed_override) noexcept {
-  data_->session.set_feed_override(feed_override);
+SessionStatus Session::status() const noexcept {
+  return data_ ? status_of(data_->session.status()) : SessionStatus::done;
 }
-void Session::abort() noexcept { data_->session.abort(); }
+void Session::hold() noexcept {
+  if (data_) data_->session.hold();
+}
+void Session::resume() noexcept {
+  if (data_) data_->session.resume();
+}
+void Session::set_feed_override(double feed_override) noexcept {
+  if (data_) data_->session.set_feed_override(feed_override);
+}
+void Session::abort() noexcept {
+  if (data_) data_->session.abort();
+}
 
 std::vector<Diagnostic> Session::diagnostics() const {
-  return diagnostics_of(data_->session.diagnostics());
+  return data_ ? diagnostics_of(data_->session.diagnostics()) : std::vector<Diagnostic>();
 }
 
-const std::vector<std::string>& Session::columns() const noexcept { return data_->columns; }
-const std::vector<double>& Session::values() const noexcept { return data_->values; }
+const std::vector<std::string>& Session::columns() const noexcept {
+  static const std::vector<std::string> none;
+  return data_ ? data_->columns : none;
+}
+const std::vector<double>& Session::values() const noexcept {
+  static const std::vector<double> none;
+  return data_ ? data_->values : none;
+}
 
 }  // namespace softcnc::api

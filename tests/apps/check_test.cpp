@@ -38,11 +38,11 @@ TEST_CASE("check goes on to look at the travel after an error of the program", "
   CHECK(shows(ended.out, "<stdin>:4:1: error: X reaches 2000 mm... [SC4001]"));
 }
 
-TEST_CASE("check reports once of each axes that the moves of a line leave", "[apps][check]") {
+TEST_CASE("check reports once of each axis that the moves of a line leave", "[apps][check]") {
   const Ended ended = call("check -", "G00 X0 Y0 Z5 F100\nG99 G91 G81 X40 Y30 Z-2 R-1 L500\nM30\n");
   CHECK(ended.status == 3);
   CHECK(shows(ended.out, "<stdin>:2:1: error: X reaches ... [SC4001]"));
-  CHECK(ended.out.find("; Y reaches ") != std::string::npos);
+  CHECK(shows(ended.out, "<stdin>:2:1: error: Y reaches ... [SC4001]"));
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 2);
 }
 
@@ -78,9 +78,8 @@ TEST_CASE("many errors of the planner are reported with their lines in time", "[
   for (int i = 0; i < 20000; ++i) part += "X" + std::to_string(2000 + i % 2) + "\n";
   const Ended ended = call("check -", part + "M30\n");
   CHECK(ended.status == 3);
-  CHECK(shows(ended.out, "<stdin>:21:1: error: X reaches 2001 mm... [SC4001]"));
-  CHECK(ended.out.find("21 | X2001\n") != std::string::npos);
-  CHECK(shows(ended.out, "here and on 9999 more lines (last: 20001) [SC6005]"));
+  CHECK(shows(ended.out, "<stdin>:2:1: error: X reaches 2001 mm, 1001 mm beyond... [SC4001]"));
+  CHECK(ended.out.find("; 10001 lines leave it there, this one first") != std::string::npos);
 }
 
 TEST_CASE("a line with / and M01 count as they are switched", "[apps][check]") {
@@ -115,11 +114,6 @@ TEST_CASE("check reports of an endless loop all that it reports of others", "[ap
   const Ended ended = call("check --set program.block_limit=1000 " + part);
   CHECK(ended.status == 1);
   CHECK(ended.out == part +
-                         ":6:1: error: X reaches 2000 mm, 1000 mm beyond its travel from "
-                         "-1000 to 1000 mm [SC4001]\n"
-                         "    6 | G00 X2000\n"
-                         "      | ^~~\n" +
-                         part + ":2:1: note: called from here\n" + part +
                          ":7:4: error: unused word Q [SC2004]\n"
                          "    7 | X0 Q1\n"
                          "      |    ^~\n" +
@@ -127,6 +121,14 @@ TEST_CASE("check reports of an endless loop all that it reports of others", "[ap
                          ":5:1: error: 'DO 1' has run more than 1000 blocks [SC2310]\n"
                          "    5 | WHILE [1] DO 1\n"
                          "      | ^~~~~~~~~~~~~~\n" +
+                         part + ":2:1: note: called from here\n" + part +
+                         ":6:1: error: X reaches 2000 mm, 1000 mm beyond its travel from "
+                         "-1000 to 1000 mm [SC4001]\n"
+                         "    6 | G00 X2000\n"
+                         "      | ^~~\n"
+                         "      = help: in G54 the program is at X 2000 mm; it fits with the "
+                         "origin of G54 at X -3000 to -1000 mm (now 0), for example --work "
+                         "G54=-2000,0,0\n" +
                          part + ":2:1: note: called from here\n" + part +
                          ":5:1: note: the program looks like one for fanuc (WHILE DO): --dialect "
                          "fanuc [SC1059]\n"

@@ -73,9 +73,17 @@ TEST_CASE("codes lists all that begin as is said", "[apps][codes]") {
   CHECK(call("codes M").out.find("G00") == std::string::npos);
 }
 
+TEST_CASE("codes finds codes by words", "[apps][codes]") {
+  const std::string found = call("codes tool LENGTH").out;
+  CHECK(found.starts_with("G43 "));
+  CHECK(found.find("\nG49 ") != std::string::npos);
+  CHECK(found.find("\nSC2124 ") != std::string::npos);
+  CHECK(found.find("G40") == std::string::npos);
+}
+
 TEST_CASE("codes names what it does not know, exit status 2", "[apps][codes]") {
   const Ended ended = call("codes SC9999 G02");
   CHECK(ended.status == 2);
-  CHECK(ended.err == "softcnc: no code is called 'SC9999'\n");
+  CHECK(ended.err == "softcnc: no code is called 'SC9999', and none is about 'SC9999'\n");
   CHECK(ended.out.starts_with("G02 "));
 }

@@ -47,7 +47,10 @@ TEST_CASE("of a name that an option does not know the nearest is named", "[apps]
 }
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
-  CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
+  CHECK(call("--version").out.starts_with("softcnc " SOFTCNC_VERSION " ("));
+  CHECK(call("-V").out == call("--version").out);
+  CHECK(call("help run").out == call("run --help").out);
+  CHECK(call("help").out == call("--help").out);
   for (const char* command :
        {"", "run", "check", "blocks", "record", "replay", "surface", "compare", "circle",
         "identify", "machine", "latency", "pulses", "codes"}) {
@@ -57,6 +60,49 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
     CHECK(ended.err.empty());
     CHECK(ended.out.find("Usage: softcnc") != std::string::npos);
   }
+}
+
+TEST_CASE("what is wrong with a command line is said in softcnc's words", "[apps][cli]") {
+  const auto said_of = [](const std::string& arguments) {
+    const std::string text = call(arguments).err;
+    return text.substr(0, text.find('\n'));
+  };
+  CHECK(said_of("check") == "PART is missing");
+  CHECK(said_of("run a.nc b.nc") == "PART: one is taken, and 2 are given");
+  CHECK(said_of("run --at") == "--at needs SECONDS:WHAT");
+  CHECK(said_of("run x.nc --worst x") == "--worst: 'x' is not a number from 1 to 1000000");
+  CHECK(said_of("run x.nc --feed-override a") == "--feed-override: 'a' is not a number");
+  CHECK(said_of("diff a.nc") == "FILE: 2 are needed, and 1 is given");
+  CHECK(said_of("run x.nc -q -v") == "--quiet and --verbose exclude each other");
+  CHECK(said_of("run x.nc --subprograms /none") == "--subprograms: there is no folder '/none'");
+}
+
+TEST_CASE("help has groups and three examples, and each example names the command", "[apps][cli]") {
+  for (const std::string command :
+       {"run", "check", "blocks", "record", "replay", "diff", "report", "surface", "compare",
+        "circle", "identify", "machine", "latency", "pulses", "codes"}) {
+    const std::string help = call(command + " --help").out;
+    CAPTURE(command);
+    const std::size_t examples = help.find("\nExamples:\n  softcnc " + command);
+    REQUIRE(examples != help.npos);
+    CHECK(help.find("\nMessages:\n") < examples);
+    CHECK(help.find("\n\n\n") == help.npos);
+  }
+}
+
+TEST_CASE("check takes folders and reads the programs below them", "[apps][check]") {
+  const Folder folder;
+  REQUIRE(shell("mkdir -p " + (folder / "a/b") + " " + (folder / "empty")).status == 0);
+  write(folder / "a/2.nc", "G1 X1\nM2\n");
+  write(folder / "a/b/1.NGC", "G999\nM2\n");
+  write(folder / "a/notes.txt", "no program\n");
+  const Ended ended = shell("cd " + (folder / "") + "; $softcnc check a");
+  CHECK(ended.status == 1);
+  const std::size_t first = ended.out.find("a/2.nc:1:1: error"),
+                    last = ended.out.find("a/b/1.NGC:1:1");
+  CHECK((first != ended.out.npos && last != ended.out.npos && first < last));
+  CHECK_FALSE(shows(ended.out, "notes.txt"));
+  CHECK(shows(call("check " + (folder / "empty")).err, "the folder holds no part program"));
 }
 
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {

@@ -109,8 +109,50 @@ TEST_CASE("wrong settings leave no file, and wrong usage is refused", "[apps][im
   };
   CHECK(shows(refused("export g.txt"), "'softcnc machine import FILE' reads settings"));
   CHECK(shows(refused("import g.txt --set axis.x.blu_um=1"), "import reads settings alone"));
-  CHECK(shows(refused("--inch"), "--state and --inch belong to"));
+  CHECK(shows(refused("--inch"), "--state, --inch and --allow-include belong to"));
   CHECK(shows(refused("-o m.toml"), "-o needs --toml or"));
   CHECK(shows(refused("import g.txt -o g.txt"), "name the same file"));
   CHECK(shows(refused("import gone.ini"), "gone.ini: error: cannot be read: ... [SC7033]"));
+}
+
+TEST_CASE("files outside the folder of the settings are read only where that is allowed",
+          "[apps][import]") {
+  const Folder folder;
+  REQUIRE(shell("mkdir " + (folder / "a") + " " + (folder / "b")).status == 0);
+  write(folder / "b/tool.tbl", "T1 P1 D6 Z20\nroot:x:0\n");
+  write(folder / "secret", "root:x:0:0\n");
+  REQUIRE(shell("ln -s ../secret " + (folder / "a/inside")).status == 0);
+  write(folder / "a/m.ini",
+        "[TRAJ]\nLINEAR_UNITS = mm\nnothing\n#INCLUDE inside\n[AXIS_X]\nMAX_VELOCITY = 1e99\n"
+        "MAX_ACCELERATION = 7\n[EMCIO]\nTOOL_TABLE = ../b/tool.tbl\n");
+  const auto import = [&](const std::string& options) {
+    return shell("cd " + (folder / "a") + "; $softcnc machine import m.ini " + options);
+  };
+  const Ended confined = import("");
+  CHECK(confined.status == 0);
+  CHECK(shows(confined.err,
+              "m.ini:3:1: warning: this is neither [SECTION] nor NAME = VALUE, and is passed over "
+              "[SC7039]"));
+  CHECK(shows(confined.err,
+              "m.ini:4:1: warning: the file inside lies outside the folder... [SC7037]"));
+  CHECK(
+      shows(confined.err, "m.ini:9:14: warning: the file ../b/tool.tbl lies outside... [SC7037]"));
+  CHECK_FALSE(shows(confined.out + confined.err, "root"));
+  CHECK(shows(confined.out, "acceleration_mm_s2 = 7 "));
+  CHECK(shows(confined.out, "MAX_VELOCITY = 1e99 (m.ini:6): no limit"));
+  const Ended allowed = import("--allow-include " + (folder / "b"));
+  CHECK(allowed.status == 2);
+  CHECK(shows(allowed.err, "tool.tbl:2:1: error: ... [SC7034]"));
+  CHECK_FALSE(shows(allowed.err, " | root"));
+}
+
+TEST_CASE("a tool table of 20,000 tools is read", "[apps][import]") {
+  const Folder folder;
+  std::string table;
+  for (int tool = 1; tool <= 20'000; ++tool)
+    table += "T" + std::to_string(tool) + " P1 D" + std::to_string(tool % 20 + 1) + "\n";
+  write(folder / "big.tbl", table);
+  const Ended ended = call("machine import " + (folder / "big.tbl"));
+  CHECK(ended.status == 0);
+  CHECK(shows(ended.out, "[tool.20000]\nradius_mm = 0.5 "));
 }

@@ -195,3 +195,53 @@ TEST_CASE("a program with one word of another control is read as G-code", "[apps
     CHECK(shows(out, "error: no number after Y... [SC1002]"));
   }
 }
+
+TEST_CASE("arcs whose centres are places are one error", "[apps][check]") {
+  const Folder folder;
+  std::string part = "G21 G90\nG0 X10 Y0\n";
+  for (int i = 0; i < 50; ++i) part += i % 2 == 0 ? "G3 X0 Y10 I2 J2 F500\n" : "G3 X10 Y0 I2 J2\n";
+  const Ended ended = check_program(folder, part + "M2\n");
+  CHECK(shows(ended.out, "p.nc:3:4: error: G03 ends ...; its centre fits with G90.1... [SC2103]"));
+  CHECK(shows(ended.out,
+              "note: an arc ends off its circle, and its centre fits with G90.1, as a "
+              "place, here and on 49 more lines (last: 52) [SC6005]"));
+  CHECK(ended.out.find("SC2103") == ended.out.rfind("SC2103"));
+}
+
+TEST_CASE("a file that is no text is one error", "[apps][check]") {
+  const Folder folder;
+  const auto said_of = [&](const std::string& text) { return check_program(folder, text); };
+  const Ended picture = said_of("\x89PNG\r\n\x1a\n\x01\x02\nG1\n\x03\n");
+  CHECK(picture.status == 1);
+  CHECK(shows(picture.out,
+              "p.nc:1:1: error: the file is a PNG picture, not a part program [SC1060]"));
+  CHECK(picture.out.find(": error: ") == picture.out.rfind(": error: "));
+  CHECK(shows(said_of("solid part\nfacet normal 0 0 1\n").out, "the file is an STL model"));
+  CHECK(shows(said_of("\x01\x02\x03\x04\x05\x06 G1\n").out, "the file is no text"));
+}
+
+TEST_CASE("a Sinumerik program without a header is known by its words", "[apps][check]") {
+  const Folder folder;
+  const Ended ended = check_program(folder,
+                                    "N10 G0 G90 X0 Y0\nN20 R1=10\nN30 IF R1>2 GOTOF END1\n"
+                                    "N40 G1 X=R1 F200\nN50 END1:\nN60 M30\n");
+  CHECK(shows(ended.out, "the program is made for a Sinumerik control"));
+  CHECK(ended.out.find(": error: ") == ended.out.rfind(": error: "));
+}
+
+TEST_CASE("likely slips are named", "[apps][check]") {
+  const Folder folder;
+  const auto said_of = [&](const std::string& line) {
+    return check_program(folder, "G21 G90 F100\nG0 X5 Z5\n" + line + "\nM2\n").out;
+  };
+  CHECK(shows(said_of("G0 X1l"), "no number after L; is the digit 1 meant? [SC1002]"));
+  CHECK(shows(said_of("Gl X1"), "no number after G; is the digit 1 meant? [SC1002]"));
+  CHECK_FALSE(shows(said_of("G0 X1L"), "is the digit 1 meant?"));
+  CHECK(
+      shows(said_of("G70"), "G70 is not supported in the linuxcnc dialect; G20 is inch [SC2001]"));
+  CHECK(shows(said_of("G71"), "G71 is not supported in the linuxcnc dialect; G21 is mm [SC2001]"));
+  CHECK(
+      shows(said_of("G28 Z0"), "warning: G28 Z0 goes to Z0 of the work system first... [SC2116]"));
+  CHECK(said_of("G91 G28 Z0").empty());
+  CHECK(said_of("G28 Z5").empty());
+}

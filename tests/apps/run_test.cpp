@@ -238,11 +238,12 @@ TEST_CASE("a move beyond the travel of an axis is refused with its line, exit st
   CHECK(ended.err.starts_with(file + ":4:2: error: X reaches 1010.5 mm, 10.5 mm beyond its travel "
                                      "from -1000 to 1000 mm [SC4001]\n"
                                      "    4 |  X1010.5\n"
-                                     "      |  ^~~~~~~\n"));
-  CHECK(ended.err.ends_with(file + ":6:1: error: Y reaches -1200 mm, 200 mm beyond its travel "
-                                   "from -1000 to 1000 mm [SC4001]\n"
-                                   "    6 | Y-1200\n"
-                                   "      | ^~~~~~\n"));
+                                     "      |  ^~~~~~~\n"
+                                     "      = help: in G54 the program spans X 0 to 1010.5"));
+  CHECK(shows(ended.err, file + ":6:1: error: Y reaches -1200 mm, 200 mm beyond its travel "
+                                "from -1000 to 1000 mm [SC4001]\n"
+                                "    6 | Y-1200\n"
+                                "      | ^~~~~~\n"));
 }
 
 TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[apps][run]") {

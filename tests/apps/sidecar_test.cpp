@@ -142,6 +142,11 @@ TEST_CASE("what has the name of the machine of a program and is no file is an er
   write(folder / "machine", kSlow);
   std::filesystem::create_symlink(folder / "machine", machine);
   CHECK(call("check " + part).status == 0);
+  const Folder elsewhere;
+  write(elsewhere / "machine", kSlow);
+  std::filesystem::remove(machine);
+  std::filesystem::create_symlink(elsewhere / "machine", machine);
+  CHECK(shows(call("check " + part).out, "it is a link out of its folder... [SC7003]"));
 }
 
 TEST_CASE("only a file of its own is the machine of a program", "[apps][sidecar]") {

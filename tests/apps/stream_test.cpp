@@ -173,7 +173,7 @@ TEST_CASE("a warning of check does not wait for an error", "[apps][stream]") {
 
 TEST_CASE("check reports the same of a pipe as of a file", "[apps][stream]") {
   const Folder folder;
-  write(folder / "p.nc", "G01 X1 Q3 F99999\nY2000\nG02 X3\n#1=\nX1 X2\n");
+  write(folder / "p.nc", "G01 X1 Q3 F99999\nY20\nG02 X3\n#1=\nX1 X2\n");
   for (const char* form : {"text", "json", "sarif"}) {
     CAPTURE(form);
     const std::string check = std::string("check --diagnostics ") + form;

@@ -50,14 +50,17 @@ const std::string kSoftcnc = SOFTCNC_BINARY " ";
 
 }  // namespace
 
-TEST_CASE("on a terminal M06 and M00 wait for Enter", "[apps][terminal]") {
+TEST_CASE("on a terminal M00 waits for Enter, and M06 where somebody changes tools",
+          "[apps][terminal]") {
   const Folder folder;
   write(folder / "p.nc", "T3 M06\nG01 X1 F600\nM00\nX2\nM30\n");
-  const Ended ended = on_terminal(kSoftcnc + "run " + (folder / "p.nc"));
-  CHECK(ended.status == 0);
+  const Ended simulated = on_terminal(kSoftcnc + "run " + (folder / "p.nc"));
+  CHECK(simulated.status == 0);
+  CHECK(contains(simulated.out, "line 3: M00: press Enter "));
+  CHECK_FALSE(contains(simulated.out, "M06"));
+  const Ended ended = on_terminal(kSoftcnc + "run --realtime " + (folder / "p.nc"));
   CHECK(contains(ended.out, "line 1: M06 T3: press Enter "));
   CHECK(contains(ended.out, "line 3: M00: press Enter "));
-  CHECK(contains(ended.out, "times faster than real time"));
   const Ended piped = on_terminal("cat " + (folder / "p.nc") + " | " + kSoftcnc + "run -");
   CHECK(piped.status == 0);
   CHECK_FALSE(contains(piped.out, "press Enter"));
@@ -143,6 +146,24 @@ TEST_CASE("on a terminal a long run shows a bar with what is left", "[apps][term
   CHECK(contains(ended.out, "\rrunning ["));
   CHECK(contains(ended.out, " left\033[K"));
   CHECK_FALSE(contains(on_terminal(kSoftcnc + "run -q " + (folder / "p.nc")).out, "running"));
+}
+
+TEST_CASE("on a terminal check shows how far it is, and help below the first of a kind",
+          "[apps][terminal]") {
+  const Folder folder;
+  std::string part = "G90 G01 F600\n";
+  for (int i = 0; i < 100'000; ++i) part += i % 2 == 0 ? "X100\n" : "X0\n";
+  write(folder / "p.nc", part + "M30\n");
+  const Ended ended = on_terminal(kSoftcnc + "check " + (folder / "p.nc"));
+  CHECK(ended.status == 0);
+  CHECK(contains(ended.out, "\rchecking ["));
+  CHECK(contains(ended.out, " left\033[K"));
+  write(folder / "e.nc", "G999\nG998\nM30\n");
+  const std::string out = on_terminal(kSoftcnc + "check " + (folder / "e.nc")).out;
+  const std::string help = "= help: see docs/gcode.md for the codes softcnc knows";
+  CHECK(contains(out, help));
+  CHECK(out.find(help) == out.rfind(help));
+  CHECK_FALSE(contains(call("check " + (folder / "e.nc")).out, "help:"));
 }
 
 TEST_CASE("diagnostics are in colour on a terminal, unless NO_COLOR is set", "[apps][terminal]") {

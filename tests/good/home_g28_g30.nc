@@ -1,9 +1,9 @@
-(expect 8 blocks, 166.865 mm, to 1 1 -5)
+(expect 8 blocks, 164.865 mm, to 1 1 -5)
 G21 G90
 G0 X10 Y10 Z-5
 G28.1
 G0 X50 Y50
-G28 Z0
+G28 Z-1
 G0 X1 Y1
 G30.1
 G0 X9

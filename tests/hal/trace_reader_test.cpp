@@ -4,6 +4,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "hal/files/npz_file.hpp"
@@ -136,17 +137,21 @@ TEST_CASE("any numbers read back bit for bit from every form", "[hal][trace][pro
   const test::Folder folder;
   softcnc::test::holds([&] {
     WrittenTrace trace = some_rows(*rc::gen::inRange(1, 50));
-    for (Setpoint& row : trace.rows)
-      for (double& place : row.position) place = *rc::gen::arbitrary<double>();
+    for (Setpoint& row : trace.rows) {
+      for (double& place : row.position)
+        place = std::fmod(*rc::gen::arbitrary<double>(), 1000);
+      row.v = *rc::gen::arbitrary<double>();
+    }
     const std::string file = folder / ("t" + *rc::gen::elementOf(kSuffixes));
     RC_ASSERT(write_trace(file, trace).has_value());
     const auto reader = TraceReader::open(file);
     RC_ASSERT(reader.has_value());
-    RC_ASSERT((*reader)->select(std::array<std::size_t, 3>{7, 8, 9}).has_value());
+    RC_ASSERT((*reader)->select(std::array<std::size_t, 4>{7, 8, 9, 4}).has_value());
     for (const Setpoint& row : trace.rows) {
       RC_ASSERT(reads_row(**reader));
       for (std::size_t axis = 0; axis < 3; ++axis)
         RC_ASSERT((*reader)->values()[axis] == row.position[static_cast<int>(axis)]);
+      RC_ASSERT((*reader)->values()[3] == row.v);
     }
   });
 }
@@ -198,6 +203,25 @@ TEST_CASE("a wrong value of a CSV is reported with its place", "[hal][trace][cod
   CHECK(problem(file).message == "'feed' is no number, in the column v_mm_s");
   test::write(file, kTraceHead + "0,1,1,0,,1000,feed,0,100\n");
   CHECK(problem(file).message == "'' is no number, in the column v_mm_s");
+}
+
+TEST_CASE("times and positions that no machine has are refused", "[hal][trace][code]") {
+  const test::Folder folder;
+  const std::string file = folder / "t.csv";
+  const auto said_of = [&](const std::string& rows) {
+    test::write(file, kTraceHead + rows);
+    return problem(file).message;
+  };
+  const auto row = [](const std::string& t, const std::string& x) {
+    return t + ",1,1,0,0,1000,stop," + x + ",100\n";
+  };
+  CHECK(said_of(row("0", "0") + row("nan", "0")) == "a time that is no number");
+  CHECK(said_of(row("inf", "0")) == "a time that is no number");
+  CHECK(said_of(row("1", "0") + row("0.5", "0")) == "the time runs back");
+  CHECK(said_of(row("0", "1e8")) == "a position beyond 1000 m");
+  CHECK(said_of(row("0", "-inf")) == "a position beyond 1000 m");
+  CHECK(said_of(row("0", "0") + row("0", "10001")) ==
+        "a position more than 10 m from that of the row before");
 }
 
 TEST_CASE("a damaged CSV is reported with its line", "[hal][trace][code]") {

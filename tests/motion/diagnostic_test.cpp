@@ -85,6 +85,26 @@ TEST_CASE("control characters are shown, not obeyed, and the caret stays in its 
         "      |                ^~~~~~\n");
 }
 
+TEST_CASE("characters that turn the direction of a text are not passed on", "[diagnostic]") {
+  const std::string text =
+      render({Code::SC1001, {1, 1, 1}, "a", "f", "G1 \u202EX1\u2066 \u200F\u061C"});
+  CHECK(text.find("G1 \uFFFDX1\uFFFD \uFFFD\uFFFD\n") != text.npos);
+  CHECK(render({Code::SC1001, {1, 1, 1}, "\u00E4 \u20AC", "f", ""}).find("\u00E4 \u20AC") !=
+        std::string::npos);
+}
+
+TEST_CASE("advice of its own stands below the caret, the help of a code if it is asked for",
+          "[diagnostic]") {
+  Diagnostic d{Code::SC2003, {1, 4, 2}, "X is given twice", "f.nc", "X1 X2"};
+  const std::string plain =
+      "f.nc:1:4: error: X is given twice [SC2003]\n    1 | X1 X2\n      |    ^~\n";
+  CHECK(render(d) == plain);
+  CHECK(render(d, Help::always) == plain + "      = help: keep one of the two\n");
+  d.advice = "remove X2";
+  CHECK(render(d) == plain + "      = help: remove X2\n");
+  CHECK(render(d, Help::always) == render(d));
+}
+
 TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
   Diagnostic d = off_circle_error();
   d.pos = {};

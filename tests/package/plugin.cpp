@@ -1,10 +1,64 @@
 // SPDX-License-Identifier: MIT
 // A shared library of someone else that uses softcnc.
+#include <limits>
+#include <memory>
 #include <softcnc/softcnc.hpp>
+#include <utility>
 
 extern "C" double duration(const char* file) {
   const auto program = softcnc::api::Program::open(file);
   if (!program) return -1;
   const auto trajectory = softcnc::api::plan(*program, softcnc::api::Machine());
   return trajectory ? trajectory->duration() : -1;
+}
+
+namespace {
+
+using softcnc::api::Machine;
+using softcnc::api::Session;
+using softcnc::api::SessionStatus;
+
+/// Its counter has broken.
+class NoPosition final : public softcnc::api::Backend {
+ public:
+  softcnc::api::Feedback exchange(const softcnc::api::Setpoint&) noexcept override {
+    softcnc::api::Feedback feedback;
+    feedback.position[1] = std::numeric_limits<double>::quiet_NaN();
+    return feedback;
+  }
+};
+
+bool ends_in_alarm(std::shared_ptr<softcnc::api::Backend> backend) {
+  Session session = Session::on(std::move(backend), Machine());
+  session.feed("G0 X1\nM2\n");
+  session.end();
+  session.step();
+  return session.status() == SessionStatus::alarm && !session.step();
+}
+
+bool stays_empty(Session& moved) {
+  moved.hold();
+  moved.resume();
+  moved.set_feed_override(1);
+  moved.abort();
+  moved.end();
+  return !moved.feed("G0 X1\n") && !moved.step() && moved.status() == SessionStatus::done &&
+         moved.diagnostics().empty() && moved.columns().empty();
+}
+
+}  // namespace
+
+/// The number of the first mistake in the use of the library that it does not stand; 0: none.
+extern "C" int mistakes() {
+  if (!ends_in_alarm(nullptr)) return 1;
+  if (!ends_in_alarm(std::make_shared<NoPosition>())) return 2;
+  Machine machine = *Machine().with({"control.period_ms=2"});
+  const Machine kept = std::move(machine);
+  if (kept.period() != 0.002 || machine.period() != Machine().period()) return 3;  // NOLINT
+  Session session = std::move(*Session::open(Machine()));
+  Session other = std::move(session);
+  if (!stays_empty(session)) return 4;  // NOLINT
+  if (!other.feed("G0 X1\n")) return 5;
+  other.abort();
+  return other.feed("G0 X2\n") ? 6 : 0;
 }

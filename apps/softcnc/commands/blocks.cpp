@@ -16,7 +16,7 @@ namespace {
 /// Streams: reads no further than it writes, and shows errors as it meets them.
 int write_blocks(runtime::Program& program, const Machine& machine, const Options& options) {
   Messages messages;
-  auto state = open_state(options.state, messages);
+  auto state = open_state(options, messages);
   if (!state) return messages.fail(state.error());
   const ipr::InterpreterOptions reading = interpreter_options(options, program.folder());
   ShownOnce shown(program, reading, messages.sink(program));

@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "input/program_files.hpp"
 #include "job/preflight.hpp"
+#include "job/terminal.hpp"
 #include "messages/duration_text.hpp"
 #include "messages/messages.hpp"
 #include "messages/standard_output.hpp"
@@ -19,20 +22,6 @@
 
 namespace softcnc::app {
 namespace {
-
-/// Breaks a check off when a signal comes.
-class SignalWatcher final : public runtime::Watcher {
- public:
-  explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
-  bool wants_stop() override { return signals_.poll() != 0; }
-  std::stop_token token() const noexcept { return signals_.token(); }
-  void sees(const Setpoint&) override {}
-  void pause(const runtime::Pause&) override {}
-  void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
-
- private:
-  StopSignals& signals_;
-};
 
 /// Diagnostics on standard output. Those of a stream are shown at once as text, since what
 /// follows may take long; a document is of use only as a whole.
@@ -60,15 +49,17 @@ class Shown {
 /// `called`.
 int check_program(const std::string& name, const Machine& machine,
                   const runtime::ChannelOptions& options, Shown& out, Messages& messages,
-                  runtime::Watcher* watcher, std::vector<std::string>& called) {
+                  Terminal& terminal, std::vector<std::string>& called) {
   auto program = runtime::Program::open(name, runtime::Readings::one);
   if (!program) return messages.fail(program.error());
   out.set_streaming(program->streamed());
   runtime::ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
   beside.interpreter.called = &program->called();
+  terminal.begin("checking", 0, program->size());
   const Preflight checked =
-      preflight(*program, machine, beside, messages, watcher, runtime::CheckNotes::surface_too);
+      preflight(*program, machine, beside, messages, &terminal, runtime::CheckNotes::surface_too);
+  terminal.end();
   for (const ipr::FoundFile& file : checked.outcome.called_files) called.push_back(file.path);
   for (const std::string& file : checked.outcome.missing_files) called.push_back(file);
   if (checked.status == 0) {
@@ -82,23 +73,23 @@ int check_program(const std::string& name, const Machine& machine,
   return checked.status;
 }
 
-int check_all(const Options& options, Shown& out, Messages& messages, SignalWatcher* watcher,
+int check_all(const Options& options, Shown& out, Messages& messages, Terminal& terminal,
               std::vector<std::string>& called) {
-  auto state = open_state(options.state, messages);
+  auto state = open_state(options, messages);
   if (!state) return messages.fail(state.error());
   MachineCache machines(options, messages);
   runtime::ChannelOptions channel = channel_options(options, {});
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
-  if (watcher) channel.interpreter.stop = watcher->token();
+  channel.interpreter.stop = terminal.stop();
   int status = 0;
   for (const std::string& name : options.files) {
-    if (!out.ok()) break;
+    if (!out.ok() || terminal.signal() != 0) break;
     const Machine* machine = machines.of(name);
     if (!machine) continue;
     channel.interpreter.unreachable_too = name != "-";  // a pipe ends when it likes
     status = worse_status(status,
-                          check_program(name, *machine, channel, out, messages, watcher, called));
+                          check_program(name, *machine, channel, out, messages, terminal, called));
   }
   return worse_status(status, machines.status());
 }
@@ -118,13 +109,16 @@ std::string counts(const Messages& messages) {
 }
 
 /// All files once, in the form asked for. Those that they call are watched, too.
-Checked check_once(const Options& options, SignalWatcher* watcher, FileWatch* changes) {
+Checked check_once(const Options& options, Terminal& terminal, FileWatch* changes) {
   Shown out(options.diagnostics);
-  const auto write = [&out](std::string_view text) { out.write(text); };
+  const auto write = [&](std::string_view text) {
+    terminal.end();
+    out.write(text);
+  };
   const auto document = make_document(options.diagnostics, write);
-  Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO));
+  Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO), ::isatty(STDOUT_FILENO) != 0);
   std::vector<std::string> called;
-  const int status = check_all(options, out, messages, watcher, called);
+  const int status = check_all(options, out, messages, terminal, called);
   if (changes) changes->also(called);
   if (document)
     document->finish(status);
@@ -143,24 +137,29 @@ std::vector<std::string> files_of(const Options& options) {
   return files;
 }
 
-int check_again_and_again(const Options& options) {
-  StopSignals signals;
-  SignalWatcher watcher(signals);
+int check_again_and_again(const Options& options, Terminal& terminal) {
   auto changes = FileWatch::open(files_of(options));
   if (!changes) return failed(changes.error());
   do {
-    if (const Checked checked = check_once(options, &watcher, &*changes); checked.written != 0)
+    if (const Checked checked = check_once(options, terminal, &*changes); checked.written != 0)
       return checked.written;
-  } while (changes->wait(signals));
-  return kSignalled + signals.poll();
+  } while (changes->wait(terminal.signals()));
+  return kSignalled + terminal.signal();
 }
 
 }  // namespace
 
-int check(const Options& options) {
-  if (options.watch) return check_again_and_again(options);
-  const Checked checked = check_once(options, nullptr, nullptr);
-  return checked.written != 0 ? checked.written : checked.status;
+int check(const Options& given) {
+  Options options = given;
+  if (auto found = programs_in(given.files))
+    options.files = std::move(*found);
+  else
+    return failed(found.error());
+  Terminal terminal(options.progress, false, Machine().control.period);
+  if (options.watch) return check_again_and_again(options, terminal);
+  const Checked checked = check_once(options, terminal, nullptr);
+  if (checked.written != 0) return checked.written;
+  return terminal.signal() != 0 ? kSignalled + terminal.signal() : checked.status;
 }
 
 }  // namespace softcnc::app

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
+#include <vector>
 
 #include "commands/command_line.hpp"
 #include "commands/commands.hpp"
@@ -88,6 +90,22 @@ std::string found(const std::string& word) {
   return text;
 }
 
+bool contains_all(std::string_view text, const std::vector<std::string>& words) {
+  const std::string all = upper(text);
+  return std::all_of(words.begin(), words.end(),
+                     [&all](const std::string& word) { return all.find(upper(word)) != all.npos; });
+}
+
+/// Returns the rows of which the table says all words.
+std::string rows_with(const std::vector<std::string>& words) {
+  std::string text;
+  for (const ipr::GCode& code : ipr::gcode_table())
+    if (contains_all(code.says, words)) text += row(code);
+  for (const CodeInfo& info : code_table())
+    if (contains_all(fmt::format("{} {}", info.title, info.help), words)) text += row(info);
+  return text;
+}
+
 }  // namespace
 
 std::string list_of_codes() {
@@ -100,11 +118,17 @@ int codes(const Options& options) {
   StandardOutput out;
   if (options.files.empty()) out.write(list_of_codes());
   int status = 0;
+  std::vector<std::string> others;  // words that begin no code
   for (const std::string& word : options.files) {
     const std::string text = found(upper(word));
     out.write(text);
-    if (!text.empty()) continue;
-    write_to_stderr("softcnc: no code is called '" + word + "'\n");
+    if (text.empty()) others.push_back(word);
+  }
+  const std::string rows = others.empty() ? std::string() : rows_with(others);
+  out.write(rows);
+  if (!others.empty() && rows.empty()) {
+    write_to_stderr(fmt::format("softcnc: no code is called '{0}', and none is about '{0}'\n",
+                                fmt::join(others, " ")));
     status = kWrongUsage;
   }
   const int written = out.finish();

@@ -7,13 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <span>
 #include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "commands/help_page.hpp"
 #include "commands/option_table.hpp"
+#include "commands/usage_errors.hpp"
+#include "commands/version.hpp"
 #include "input/reported_run.hpp"
 #include "messages/standard_output.hpp"
 #include "motion/core/spelling.hpp"
@@ -103,8 +106,16 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error,
       return refuse(name + ": no such option of '" + command->get_name() + "'" +
                     option_like(*command, name));
   if (app.get_subcommands().empty()) return refuse_command(words.subspan(1));
-  app.exit(error, out, std::cerr);
-  return kWrongUsage;
+  return refuse(usage_error(error.what()));
+}
+
+/// "help run" is "run --help", and "help" alone "--help".
+std::vector<const char*> with_help_as_option(std::span<const char* const> words) {
+  std::vector<const char*> all(words.begin(), words.end());
+  if (all.size() < 2 || std::string_view(all[1]) != "help") return all;
+  all.erase(all.begin() + 1);
+  all.push_back("--help");
+  return all;
 }
 
 /// Whether anything that the run writes has further columns, or their figures.
@@ -153,8 +164,9 @@ std::string misplaced_machine_option(const Options& options) {
   const bool imports = !options.imported.empty();
   if (imports && (options.toml || options.names_machine || !options.settings.empty()))
     return "import reads settings alone: without --toml, --machine, --set and --backend";
-  if (!imports && (!options.state.empty() || options.imports_inches))
-    return "--state and --inch belong to 'softcnc machine import FILE'";
+  if (!imports &&
+      (!options.state.empty() || options.imports_inches || !options.allowed_folders.empty()))
+    return "--state, --inch and --allow-include belong to 'softcnc machine import FILE'";
   if (!imports && !options.toml && !options.output.empty())
     return "-o needs --toml or 'import FILE'";
   return {};
@@ -192,20 +204,24 @@ std::string conflict(const Options& options) {
 
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
   CLI::App app("softcnc runs part programs (G-code) on a simulated mill.", "softcnc");
-  app.set_version_flag("--version", "softcnc " SOFTCNC_VERSION);
+  app.formatter(wrapping_formatter());
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.set_version_flag("-V,--version", version_text());
   app.set_help_flag("-h,--help", "Show this help");
   app.failure_message(CLI::FailureMessage::simple);
   app.require_subcommand(1);
   app.footer(
-      "'softcnc COMMAND --help' lists the options of a command, 'softcnc codes' the codes of part\n"
+      "'softcnc help COMMAND' lists the options of a command, 'softcnc codes' the codes of part\n"
       "programs; 'softcnc codes G41' explains one of them.");
   Options options;
   for (const CommandEntry& command : command_table())
-    add_options(*app.add_subcommand(command.name, command.help), command.id, options);
+    add_options(*app.add_subcommand(command.name, command.help)->group("Commands"), command.id,
+                options);
+  const auto words = with_help_as_option({argv, static_cast<std::size_t>(argc)});
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& error) {
-    return report_parse_error(app, error, std::span(argv, static_cast<std::size_t>(argc)));
+    return report_parse_error(app, error, words);
   }
   for (const CommandEntry& command : command_table())
     if (app.got_subcommand(command.name)) options.command = command.id;

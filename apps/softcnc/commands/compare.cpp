@@ -71,7 +71,7 @@ class CompareJob {
 
 /// Everything is read, and wrong files are reported, before anything is checked.
 int CompareJob::open() {
-  auto state = open_state(options_.state, messages_);
+  auto state = open_state(options_, messages_);
   if (!state) return messages_.fail(state.error());
   int status = 0;
   for (const std::string& part : options_.files) {

@@ -58,6 +58,7 @@ int import_settings(const Options& options) {
   hal::ImportOptions how;
   if (!in_working_folder) how.folder = std::filesystem::path(options.output).parent_path();
   how.inches = options.imports_inches;
+  how.allowed_folders = options.allowed_folders;
   const auto imported = hal::import_machine(options.imported, how);
   if (!imported) return failed(imported.error());
   Messages messages;

@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "commands/help_page.hpp"
 #include "hal/trace/trace.hpp"
 #include "motion/core/spelling.hpp"
 #include "motion/core/units.hpp"
 #include "motion/model/machine.hpp"
 #include "runtime/comparison/method_comparison.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -316,6 +318,34 @@ void subprograms(CLI::App& app, const OptionEntry& entry, Options& options) {
       ->allow_extra_args(false);
 }
 
+void allowed_folders(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.allowed_folders, entry.help)
+      ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void work_origins(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& texts) {
+           options.work.clear();
+           for (const std::string& text : texts) {
+             const auto work = parse_work_origin(text);
+             if (!work)
+               throw CLI::ValidationError(
+                   "--work",
+                   "takes SYSTEM=X,Y,Z, with G54 to G59.3 or G54.1P1 to G54.1P300 and mm, such as "
+                   "G54=-200,-150,-40, not '" +
+                       text + "'");
+             options.work.push_back(*work);
+           }
+         },
+         entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
 void definitions(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option_function<std::vector<std::string>>(
          entry.names,
@@ -490,7 +520,8 @@ constexpr Commands kMachines{run,     check,   blocks,   record,  replay, report
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
-    {{check, compare}, "PART", "", "Part programs; - is standard input", files},
+    {{check}, "PART", "", "Part programs, or folders of them; - is standard input", files},
+    {{compare}, "PART", "", "Part programs; - is standard input", files},
     {{report},
      "FILE",
      "",
@@ -560,6 +591,12 @@ constexpr OptionEntry kOptions[] = {
      "",
      "With import of a tool table: its lengths are inches, not mm",
      flag<&Options::imports_inches>},
+    {{machine},
+     "--allow-include",
+     "DIR",
+     "With import: read files that the settings name from DIR too, not from their own folder alone "
+     "(repeatable)",
+     allowed_folders},
     {{run},
      "--state",
      "FILE.toml",
@@ -570,6 +607,10 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
+    {kReads, "--work", "SYSTEM=X,Y,Z",
+     "Set the origin of a work system before the first line, in mm and machine coordinates, for "
+     "example G54=-200,-150,-40 (repeatable; kept by --state)",
+     work_origins},
     {kReads, "--subprograms", "DIR",
      "Look for called files in DIR too, after the folder of the program and before program.path "
      "(repeatable)",
@@ -763,7 +804,7 @@ constexpr OptionEntry kOptions[] = {
      flag<&Options::quiet>},
     {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
-    {{run, record, replay, report, surface, compare, diff},
+    {{run, check, record, replay, report, surface, compare, diff},
      "--progress",
      "",
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",
@@ -784,9 +825,11 @@ std::span<const CommandEntry> command_table() noexcept { return kCommands; }
 void add_options(CLI::App& app, CommandName command, Options& options) {
   for (const OptionEntry& entry : kOptions)
     if (entry.commands.contains(command)) entry.add(app, entry, options);
+  arrange_help(app, command);
   if (command == CommandName::codes)
-    app.footer([] {
-      return "The codes of part programs, the words they take, what they do:\n" + list_of_codes();
+    app.footer([footer = app.get_footer()] {
+      return footer + "\nThe codes of part programs, the words they take, what they do:\n" +
+             list_of_codes();
     });
 }
 

@@ -44,7 +44,6 @@ class ReportJob {
 };
 
 int ReportJob::read(const std::string& file, const Options& options) {
-  terminal_.begin("running", 0);
   auto run = read_run(file, options, terminal_, messages_);
   terminal_.end();
   if (!run) return messages_.fail(run.error());

@@ -23,7 +23,9 @@ int run(const Options& options) {
   if (!lock) return failed(lock.error());
   auto job = open_job(options);
   if (!job) return failed(job.error());
-  auto memory = MachineMemory::open(options.dry_run ? "" : options.state, job->options.state);
+  auto memory =
+      MachineMemory::open(options.dry_run ? "" : options.state,
+                          options.work.empty() ? std::optional(job->options.state) : std::nullopt);
   if (!memory) return failed(memory.error());
   job->options.keeps_state = !options.dry_run && !options.state.empty();
   const std::string trace = options.dry_run && options.trace.empty() ? "-" : options.trace;

@@ -90,7 +90,7 @@ int SurfaceJob::move() {
   runtime::CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
                             runtime::row_columns(**backend));
   ipr::Reader reader = job_.program.reader();
-  terminal_.begin("running", 0);
+  terminal_.begin("running", 0, job_.program.size());
   const runtime::Outcome outcome =
       runtime::simulate(reader, job_.program.descriptor(), machine, job_.options, **backend,
                         diagnostics, &rows, &terminal_);

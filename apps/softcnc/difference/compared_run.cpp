@@ -44,7 +44,7 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   const double period = job->machine.control.period;
   job->options.interpreter.stop = terminal.stop();
-  terminal.begin(file, 0);
+  terminal.begin(file, 0, job->program.size());
   terminal.begin_run(0, period);
   ShownOnce shown(job->program, job->options.interpreter, messages.sink(job->program));
   Diagnostics diagnostics(shown.sink());

@@ -118,6 +118,7 @@ std::string program_text(runtime::Program& program) {
 }
 
 Result<ReportedRun> run_program(Job& job, Terminal& terminal, Messages& messages) {
+  terminal.begin("running", 0, job.program.size());
   const Machine machine = hal::without_port(job.machine);
   auto backend = hal::open_backend(machine);
   if (!backend) return tl::make_unexpected(std::move(backend.error()));

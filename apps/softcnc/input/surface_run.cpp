@@ -99,7 +99,7 @@ bool is_too_large(const surface::StockGrid& grid) {
 
 Result<std::optional<ReportedSurface>> cut_surface(Job& job, Terminal& terminal) {
   Diagnostics silent([](const Diagnostic&) {});
-  terminal.begin("cutting", 0);
+  terminal.begin("cutting", 0, job.program.size());
   const runtime::Cutting cutting =
       runtime::read_cutting(job.program, job.machine, job.options, silent, terminal);
   if (silent.errors() > 0 || terminal.signal() != 0) return std::nullopt;

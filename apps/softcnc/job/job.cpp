@@ -33,7 +33,7 @@ Result<Job> open_job(const Options& options) {
   auto program = runtime::Program::open(
       options.files.front(), options.dry_run ? runtime::Readings::one : runtime::Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
-  auto state = open_state(options.state, messages);
+  auto state = open_state(options, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
   const runtime::ChannelOptions channel = channel_options(options, program->folder());
   Job job{std::move(*program), std::move(choice->machine), std::move(choice->file_beside), channel};

@@ -102,7 +102,9 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
                                                      **backend, options_.columns, patience());
   if (!rows) return refused(rows.error());
   if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
-  terminal_.begin(options_.dry_run ? "planning" : "running", total);
+  if (in_real_time() || (!options_.dry_run && is_real(job_.machine.control.backend)))
+    terminal_.keep_the_clock();
+  terminal_.begin(options_.dry_run ? "planning" : "running", total, job_.program.size());
   result_.moved = true;
   run(**backend, *rows);
   close(**backend);
@@ -244,7 +246,7 @@ void explain(std::string_view what, const runtime::Outcome& outcome) {
 /// The pre-flight; `expected` becomes its outcome.
 JobResult check_first(Job& job, Messages& messages, Terminal& terminal,
                       runtime::Outcome& expected) {
-  terminal.begin("checking", 0);
+  terminal.begin("checking", 0, job.program.size());
   Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
   terminal.end();
   explain("pre-flight", checked.outcome);
@@ -268,7 +270,8 @@ JobResult run_job(Job& job, const Options& options, const TraceTarget& trace) {
   JobResult result;
   if (!options.dry_run) result = check_first(job, messages, terminal, expected);
   if (result.status == 0) {
-    if (may_ask(options)) terminal.wait_at_stops();
+    if (may_ask(options))
+      terminal.wait_at_stops(options.realtime || is_real(job.machine.control.backend));
     result = JobRunner(job, options, messages, terminal).move(trace, expected.time);
     if (!options.dry_run) result.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
     if (result.moved) explain("run", result.outcome);

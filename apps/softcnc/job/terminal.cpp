@@ -6,15 +6,36 @@
 #include <unistd.h>
 
 #include <array>
+#include <utility>
 
 #include "process/standard_error.hpp"
 
 namespace softcnc::app {
+namespace {
+
+bool is_tool_change(const runtime::Pause& pause) {
+  const auto* action = std::get_if<Action>(&pause.block.what);
+  return !pause.before && action != nullptr && action->kind == Action::Kind::tool;
+}
+
+}  // namespace
 
 Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period)
     : progress_(progress, data_on_terminal), period_(period) {}
 
-void Terminal::begin(std::string label, double total) { progress_.begin(std::move(label), total); }
+void Terminal::begin(std::string label, double total, std::uint64_t size) {
+  label_ = std::move(label);
+  size_ = size;
+  reading_ = runtime::Reading::run;
+  progress_.begin(label_, total);
+}
+
+void Terminal::reads(std::uint64_t offset, runtime::Reading reading) {
+  if (size_ == 0) return;
+  if (reading != std::exchange(reading_, reading))
+    progress_.begin(reading == runtime::Reading::before ? "reading" : label_, 0);
+  progress_.read(static_cast<double>(offset) / static_cast<double>(size_));
+}
 
 void Terminal::sees(const Setpoint& latest) {
   progress_.update(before_ + static_cast<double>(latest.period) * period_, latest.line);
@@ -24,6 +45,7 @@ void Terminal::sees(const Setpoint& latest) {
 void Terminal::pause(const runtime::Pause& pause) {
   const std::string text = instruction(pause);
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
+  if (is_tool_change(pause) && !tools_change_) return;
   progress_.clear();
   ::tcflush(STDIN_FILENO, TCIFLUSH);
   write_to_stderr(text + ": press Enter ");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace softcnc::app {
 namespace {
@@ -48,6 +49,15 @@ constexpr LanguageMark kMarks[] = {
     {1, 1, "* [XYZ]=*"},
     {1, 1, "R[0-9]*=*"},
     {1, 1, "MCALL*"},
+    {1, 2, "*GOTO[FB] *"},
+    {1, 1, "*RND=*"},
+    {1, 1, "*CH[FR]=*"},
+    {1, 1, "*SUPA*"},
+    {1, 1, "G500*"},
+    {1, 1, "*G64[1-5]*"},
+    {1, 2, "TRAORI*"},
+    {1, 1, "*SETMS(*"},
+    {1, 1, "ENDPROC*"},
     {2, 3, "$*.MIN%*"},
     {2, 2, "CALL O*"},
     {2, 1, "NAT[0-9]*"},
@@ -86,6 +96,31 @@ std::string bare(std::string_view line) {
 }
 
 }  // namespace
+
+std::string_view kind_of_binary(std::string_view first_line) {
+  constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {"\x89PNG", "a PNG picture"},
+      {"\xFF\xD8\xFF", "a JPEG picture"},
+      {"%PDF", "a PDF document"},
+      {"PK\x03\x04", "a zip archive"},
+      {"\x1F\x8B", "a gzip archive"},
+      {"\x28\xB5\x2F\xFD", "a zstd archive"},
+      {"\x7F"
+       "ELF",
+       "a program"},
+      {"GIF8", "a GIF picture"},
+      {"<?xml", "an XML document"},
+      {"<svg", "an SVG picture"},
+      {"<!DOCTYPE", "an HTML document"},
+      {"solid ", "an STL model"},
+      {"ISO-10303-21", "a STEP model"}};
+  for (const auto& [mark, kind] : kKinds)
+    if (first_line.starts_with(mark)) return kind;
+  const auto is_control = [](char c) { return c > 0 && c < ' ' && c != '\t' && c != '\r'; };
+  const auto controls = std::count_if(first_line.begin(), first_line.end(), is_control);
+  constexpr std::ptrdiff_t kMost = 4;  // a paper tape begins and ends with one or two
+  return controls > kMost ? "no text" : std::string_view();
+}
 
 void ForeignLanguage::see(std::string_view line, int number) {
   const std::string text = bare(line);

@@ -34,4 +34,8 @@ class ForeignLanguage {
   std::array<bool, kMostMarks> seen_{};
 };
 
+/// Returns what a file is by its first line, "a PNG picture" for example; empty where it may be a
+/// part program.
+std::string_view kind_of_binary(std::string_view first_line);
+
 }  // namespace softcnc::app

@@ -30,8 +30,7 @@ std::string line_of(const Diagnostic& diagnostic, ipr::CalledTexts& called) {
 }
 
 /// The severity in colour.
-std::string coloured(const Diagnostic& diagnostic) {
-  std::string text = render(diagnostic);
+std::string coloured(const Diagnostic& diagnostic, std::string text) {
   const std::string plain = fmt::format("{}:", name(diagnostic.severity()));
   const auto at = text.find(plain);
   if (at == std::string::npos) return text;
@@ -65,8 +64,15 @@ Messages::Messages(const std::function<void()>& clear)
             clear();
             write_to_stderr(text);
           },
-          colourful(STDERR_FILENO)) {
+          colourful(STDERR_FILENO), ::isatty(STDERR_FILENO) != 0) {
   document_ = on_stderr().document.get();
+}
+
+std::string Messages::text_of(const Diagnostic& diagnostic) {
+  const bool is_new =
+      helps_ && diagnostic.severity() != Severity::note && helped_.insert(diagnostic.code).second;
+  std::string text = render(diagnostic, is_new ? Help::always : Help::own);
+  return colour_ ? coloured(diagnostic, std::move(text)) : text;
 }
 
 void Messages::show(const Diagnostic& diagnostic) {
@@ -74,7 +80,7 @@ void Messages::show(const Diagnostic& diagnostic) {
   if (document_)
     document_->add(diagnostic);
   else
-    write_(colour_ ? coloured(diagnostic) : render(diagnostic));
+    write_(text_of(diagnostic));
   if (kept_.size() < kKept) kept_.push_back(diagnostic);
 }
 

@@ -5,9 +5,11 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/files/output_file.hpp"
@@ -31,7 +33,9 @@ class Messages {
 
   /// To standard error; `clear` takes a progress bar off the screen before.
   explicit Messages(const std::function<void()>& clear = [] {});
-  Messages(Write write, bool colour) : write_(std::move(write)), colour_(colour) {}
+  /// With `helps`, the help of a code stands below its first diagnostic.
+  Messages(Write write, bool colour, bool helps = false)
+      : write_(std::move(write)), colour_(colour), helps_(helps) {}
   /// Into a document, which must outlive it.
   explicit Messages(DiagnosticDocument& document) : document_(&document) {}
 
@@ -57,9 +61,12 @@ class Messages {
   std::span<const Diagnostic> kept() const noexcept { return kept_; }
 
  private:
+  std::string text_of(const Diagnostic& diagnostic);
+
   Write write_;
   DiagnosticDocument* document_ = nullptr;
-  bool colour_ = false;
+  bool colour_ = false, helps_ = false;
+  std::set<Code> helped_;
   std::vector<Diagnostic> kept_;
   std::array<int, 3> counts_{};  // by severity
 };

@@ -18,6 +18,7 @@ namespace {
 
 constexpr auto kBetweenDrawings = std::chrono::milliseconds(100);
 constexpr std::size_t kLargestBar = 40;
+constexpr double kTells = 0.02;  // of the work, which tells how long the rest takes
 
 std::size_t screen_width() {
   winsize size{};
@@ -44,33 +45,54 @@ Progress::~Progress() {
 }
 
 void Progress::begin(std::string label, double total) {
-  time_ = 0;
+  time_ = read_ = 0;
   line_ = 0;
   label_ = std::move(label);
   total_ = total;
-  next_ = Clock::now() + kBetweenDrawings;
+  begun_ = Clock::now();
+  next_ = begun_ + kBetweenDrawings;
 }
 
 void Progress::update(double time, int line) {
   time_ = time;
   line_ = line;
+  show();
+}
+
+void Progress::read(double part) {
+  read_ = std::max(read_, std::min(part, 1.0));
+  show();
+}
+
+void Progress::show() {
   if ((!bar_ && !json_) || Clock::now() < next_) return;
   next_ = Clock::now() + kBetweenDrawings;
-  if (bar_) draw(time, line);
+  if (bar_) draw();
   if (json_) write_json(false);
 }
 
-void Progress::draw(double time, int line) {
-  std::string text = fmt::format("  line {}", line);
-  if (total_ > 0) {
-    const double part = std::clamp(time / total_, 0.0, 1.0);
-    text = fmt::format(" {:3.0f} %{}  {} left", std::floor(100 * part), text,
-                       duration_text(std::max(total_ - time, 0.0)));
+/// How far the work is, from 0 to 1; 0: not known.
+double Progress::part() const noexcept {
+  return total_ > 0 ? std::clamp(time_ / total_, 0.0, 1.0) : read_;
+}
+
+/// By the clock, s.
+double Progress::time_left() const {
+  if (real_time_ && total_ > 0) return std::max(total_ - time_, 0.0);
+  const double spent = std::chrono::duration<double>(Clock::now() - begun_).count();
+  return spent * (1 - part()) / part();
+}
+
+void Progress::draw() {
+  std::string text = line_ > 0 ? fmt::format("  line {}", line_) : std::string();
+  if (part() > 0) {
+    text = fmt::format(" {:3.0f} %{}", std::floor(100 * part()), text);
+    if (part() >= kTells) text += fmt::format("  {} left", duration_text(time_left()));
     const std::size_t width =
         screen_width() - std::min(screen_width(), label_.size() + text.size() + 5);
-    if (width > 4) text = bar(part, std::min(width, kLargestBar)) + text;
+    if (width > 4) text = bar(part(), std::min(width, kLargestBar)) + text;
   } else {
-    text = fmt::format("{}  {} so far", text, duration_text(time));
+    text = fmt::format("{}  {} so far", text, duration_text(time_));
   }
   display_on_stderr(fmt::format("\r{} {}\033[K", label_, text));
   drawn_ = true;
@@ -80,8 +102,8 @@ void Progress::write_json(bool done) const {
   nlohmann::ordered_json row{{"doing", label_}, {"time_s", time_}, {"line", line_}};
   if (total_ > 0) {
     row["total_s"] = total_;
-    row["percent"] = std::clamp(100 * time_ / total_, 0.0, 100.0);
   }
+  if (part() > 0) row["percent"] = 100 * part();
   if (done) row["done"] = true;
   display_on_stderr(row.dump() + '\n');
 }

@@ -25,21 +25,29 @@ class Progress {
 
   /// `time` in s of machine time.
   void update(double time, int line);
+  /// `part` of the program has been read, from 0 to 1: how far the work is if its total is unknown.
+  void read(double part);
+
+  /// From here on machine time is that of the clock, pauses apart.
+  void keep_the_clock() noexcept { real_time_ = true; }
 
   /// Takes the bar off the screen.
   void clear();
 
  private:
-  void draw(double time, int line);
+  void show();
+  void draw();
+  double part() const noexcept;
+  double time_left() const;
   void write_json(bool done) const;
 
   using Clock = std::chrono::steady_clock;
   bool bar_, json_;
-  bool drawn_ = false;
+  bool drawn_ = false, real_time_ = false;
   std::string label_;
-  double total_ = 0, time_ = 0;
+  double total_ = 0, time_ = 0, read_ = 0;
   int line_ = 0;
-  Clock::time_point next_{};
+  Clock::time_point begun_{}, next_{};
 };
 
 }  // namespace softcnc::app

@@ -25,6 +25,19 @@ bool has_one_cause(Code code) {
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 
+/// What errors with numbers of their own have in common; empty where nothing is known.
+std::string_view common_cause(const Diagnostic& diagnostic) {
+  if (diagnostic.code != Code::SC2103) return {};
+  const std::string_view message = diagnostic.message;
+  const std::size_t at = message.find("; its centre fits with ");
+  return at == std::string_view::npos ? std::string_view() : message.substr(at + 2);
+}
+
+std::string said_of(const Diagnostic& first) {
+  const std::string_view common = common_cause(first);
+  return common.empty() ? first.message : fmt::format("an arc ends off its circle, and {}", common);
+}
+
 /// E of an extruder, on every line of a program for a 3-D printer.
 bool is_unused_word(const Diagnostic& diagnostic) {
   return diagnostic.code == Code::SC2004 && diagnostic.message.starts_with("E ");
@@ -40,13 +53,15 @@ bool RepeatedErrors::takes(Diagnostic& diagnostic) {
 }
 
 bool RepeatedErrors::is_of_known_cause(const Diagnostic& error) {
+  const std::string_view common = common_cause(error);
   const auto same = [&](const Cause& cause) {
-    return cause.first.code == error.code && cause.first.message == error.message &&
-           cause.first.file == error.file;
+    return cause.first.code == error.code && cause.first.file == error.file &&
+           (common.empty() ? cause.first.message == error.message
+                           : common_cause(cause.first) == common);
   };
   const auto known = std::find_if(causes_.begin(), causes_.end(), same);
   if (known == causes_.end()) {
-    const bool once = has_one_cause(error.code) || is_unused_word(error);
+    const bool once = has_one_cause(error.code) || is_unused_word(error) || !common.empty();
     if (causes_.size() < kMostCauses)
       causes_.push_back({error, once ? 1 : kShownOfText, 0, error.pos.line});
     return false;
@@ -74,6 +89,7 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
                       error.pos.line > 0 && exit_status(error) == 1;
   if (!may_be || program_->streamed()) return false;
   looked_ = true;
+  if (is_no_text(error)) return true;
   guess_dialect(error);
   ForeignLanguage language;
   std::string line = program_->line(1);
@@ -89,6 +105,20 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
       "FANUC's controls do",
       language.control());
   error.source_line = language.text();
+  error.calls.clear();
+  return true;
+}
+
+/// A picture, an archive or the like, which would be an error on every line.
+bool RepeatedErrors::is_no_text(Diagnostic& error) {
+  const std::string first = program_->line(1);
+  const std::string_view kind = kind_of_binary(first);
+  if (kind.empty()) return false;
+  foreign_ = true;
+  error.code = Code::SC1060;
+  error.pos = {1, 0, 1};
+  error.message = fmt::format("the file is {}, not a part program", kind);
+  error.source_line.clear();
   error.calls.clear();
   return true;
 }
@@ -119,7 +149,7 @@ std::vector<Diagnostic> RepeatedErrors::notes() const {
     if (!cause.is_hidden()) continue;
     Diagnostic note = cause.first;
     note.code = Code::SC6005;
-    note.message = fmt::format("{}, here and on {} more line{} (last: {})", cause.first.message,
+    note.message = fmt::format("{}, here and on {} more line{} (last: {})", said_of(cause.first),
                                cause.lines, cause.lines == 1 ? "" : "s", cause.last_line);
     all.push_back(std::move(note));
   }

@@ -40,6 +40,9 @@ std::string escaped(const std::string& text) {
           xml += c;
     }
   }
+  for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})  // U+FFFE, U+FFFF
+    for (std::size_t at = 0; (at = xml.find(none, at)) != xml.npos;)
+      xml.replace(at, none.size(), kReplacement);
   return xml;
 }
 

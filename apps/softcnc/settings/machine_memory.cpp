@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "settings/machine_memory.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "hal/machine/state_file.hpp"
+#include "hal/machine/state_names.hpp"
 
 namespace softcnc::app {
 
-Result<MachineState> open_state(const std::string& file, Messages& messages) {
+namespace {
+
+Result<MachineState> read_state(const std::string& file, Messages& messages) {
   std::error_code ignored;
   if (file.empty()) return MachineState();
   if (std::filesystem::exists(file, ignored) || ignored) {
@@ -24,7 +29,57 @@ Result<MachineState> open_state(const std::string& file, Messages& messages) {
   return MachineState();
 }
 
-Result<MachineMemory> MachineMemory::open(const std::string& file, MachineState before) {
+/// "G54.1P7" and "g54.1 p7" as they stand in a state file.
+std::optional<int> index_of(std::string_view word) {
+  std::string name;
+  for (const char c : word) {
+    if (c == ' ') continue;
+    const char letter = c == 'g' || c == 'p' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (letter == 'P') name += ' ';
+    name += letter;
+  }
+  return hal::system_index(name);
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double mm = 0;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && is_near(mm) ? std::optional(mm) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<WorkOrigin> parse_work_origin(std::string_view text) {
+  const std::size_t sign = text.find('=');
+  const auto system = index_of(text.substr(0, sign));
+  if (sign == std::string_view::npos || !system) return std::nullopt;
+  WorkOrigin work{*system, {}};
+  std::string_view rest = text.substr(sign + 1);
+  for (std::optional<double>& axis : work.origin) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view number = rest.substr(0, comma);
+    if (!number.empty() && !(axis = number_of(number))) return std::nullopt;
+    if (comma == rest.size()) return text.back() == '=' ? std::nullopt : std::optional(work);
+    rest.remove_prefix(comma + 1);
+  }
+  return std::nullopt;
+}
+
+Result<MachineState> open_state(const Options& options, Messages& messages) {
+  auto state = read_state(options.state, messages);
+  if (!state) return state;
+  for (const WorkOrigin& work : options.work)
+    for (std::size_t axis = 0; axis < kAxes; ++axis)
+      if (work.origin[axis])
+        state->work_system_entry(work.system).origin[static_cast<Eigen::Index>(axis)] =
+            *work.origin[axis];
+  return state;
+}
+
+Result<MachineMemory> MachineMemory::open(const std::string& file,
+                                          std::optional<MachineState> before) {
   if (file.empty()) return MachineMemory(nullptr, std::move(before));
   auto output = hal::OutputFile::open(file);
   if (!output) return tl::make_unexpected(std::move(output.error()));
@@ -33,7 +88,7 @@ Result<MachineMemory> MachineMemory::open(const std::string& file, MachineState 
 
 Result<bool> MachineMemory::keep(const MachineState& state) {
   const std::string text = hal::state_toml(state);
-  if (!file_ || text == hal::state_toml(before_)) return false;
+  if (!file_ || (before_ && text == hal::state_toml(*before_))) return false;
   Status written = file_->write(text);
   if (written) written = file_->finish();
   if (!written) return tl::make_unexpected(std::move(written.error()));

@@ -2,7 +2,9 @@
 // What the command line asks for, as plain data.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,12 @@ enum class CommandName : std::uint8_t {
 /// How a table is written.
 enum class TableFormat : std::uint8_t { text, csv, json };
 
+/// Of --work: where a work system lies.
+struct WorkOrigin {
+  int system = 0;                                     // index, of MachineState::work_system()
+  std::array<std::optional<double>, kAxes> origin{};  // mm; an axis without one stays
+};
+
 struct Options {
   CommandName command = CommandName::run;
   std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
@@ -50,10 +58,12 @@ struct Options {
   std::vector<std::string> machine_files;  // compare: instead of machine_file, each as there
   std::vector<std::string> settings;       // KEY=VALUE, on top of it
   std::string state;                       // file; empty: none
+  std::vector<WorkOrigin> work;            // of --work, on top of it
 
-  bool toml = false;            // machine: as a machine file
-  std::string imported;         // machine: settings of another control; empty: none
-  bool imports_inches = false;  // machine: such a tool table is in inches
+  bool toml = false;                         // machine: as a machine file
+  std::string imported;                      // machine: settings of another control; empty: none
+  bool imports_inches = false;               // machine: such a tool table is in inches
+  std::vector<std::string> allowed_folders;  // machine: in which imported settings may name files
 
   std::vector<std::string> subprogram_folders;  // of --subprograms, before those of the machine
   std::vector<ipr::Definition> definitions;     // of --define

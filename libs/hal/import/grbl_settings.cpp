@@ -86,8 +86,8 @@ class GrblReader {
     if (text.empty() || is_chatter(text)) return;
     const auto equals = text.find('=');
     if (!text.starts_with('$')) {
-      draft_.fail(Code::SC7034, place_of(file_, number, line, text),
-                  "this is no setting of grbl, as $100=80");
+      draft_.warn(Code::SC7039, place_of(file_, number, line, text),
+                  "this is no setting of grbl, as $100=80, and is passed over");
     } else if (equals != text.npos) {
       take(trimmed_setting(text.substr(1, equals - 1)), text.substr(equals + 1), line, number);
     }

@@ -2,6 +2,7 @@
 #include "hal/import/import_machine.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "hal/files/suffix.hpp"
 #include "hal/files/text_file.hpp"
@@ -54,7 +55,7 @@ tl::expected<ImportedMachine, std::vector<Diagnostic>> import_machine(
 tl::expected<ImportedMachine, std::vector<Diagnostic>> import_text(const std::string& text,
                                                                    const std::string& file,
                                                                    const ImportOptions& options) {
-  MachineDraft draft;
+  MachineDraft draft(std::filesystem::path(file).parent_path().string(), options.allowed_folders);
   switch (kind_of(file, text)) {
     case Kind::tool_table:
       take_tool_table(text, file, options.inches ? kMmPerInch : 1, draft);

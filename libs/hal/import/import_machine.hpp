@@ -11,8 +11,10 @@
 namespace softcnc::hal {
 
 struct ImportOptions {
-  std::string folder;   // in which the machine file will lie; empty: the working folder
-  bool inches = false;  // a tool table that is imported by itself is in inches
+  std::string folder = {};  // in which the machine file will lie; empty: the working folder
+  bool inches = false;      // a tool table that is imported by itself is in inches
+  /// Further folders in which files that settings name are read.
+  std::vector<std::string> allowed_folders = {};
 };
 
 /// What has been read of settings.

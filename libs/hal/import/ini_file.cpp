@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
-
-#include "hal/files/text_file.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -18,15 +15,6 @@ bool is_comment(std::string_view line) { return line.starts_with('#') || line.st
 
 std::string beside_file(const std::string& file, const std::string& name) {
   return (std::filesystem::path(file).parent_path() / name).lexically_normal().string();
-}
-
-Result<std::string> read_named_file(const std::string& file) {
-  std::error_code unreadable;
-  const auto type = std::filesystem::status(file, unreadable).type();
-  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
-    return tl::make_unexpected(Diagnostic{
-        .code = Code::SC7037, .message = "cannot be read: not a regular file", .file = file});
-  return read_text(file, Code::SC7037);
 }
 
 IniFile::IniFile(std::string_view text, const std::string& file, MachineDraft& draft)
@@ -56,7 +44,7 @@ void IniFile::read(std::string_view text, const std::string& file, bool included
 
 void IniFile::include(std::string_view name, const GivenAt& at, const std::string& from) {
   const std::string file = beside_file(from, std::string(name));
-  const auto text = read_named_file(file);
+  const auto text = draft_.read_named_file(file);
   if (text)
     read(*text, file, true);
   else
@@ -75,7 +63,9 @@ void IniFile::take(const std::string& line, int number, const std::string& file)
     return;
   }
   const auto equals = text.find('=');
-  if (equals == text.npos || equals == 0) return fail("this is neither [SECTION] nor NAME = VALUE");
+  if (equals == text.npos || equals == 0)
+    return draft_.warn(Code::SC7039, place_of(file, number, line, text),
+                       "this is neither [SECTION] nor NAME = VALUE, and is passed over");
   if (section_.empty()) return fail("a variable before any [SECTION]");
   const std::string_view value = trimmed_setting(text.substr(equals + 1));
   const std::string_view name = trimmed_setting(text.substr(0, equals));

@@ -50,10 +50,6 @@ class IniFile {
   std::vector<IniVariable> variables_;
 };
 
-/// Reads a file that settings name, which must be a regular one: nobody waits for a pipe that a
-/// person has not named. Errors: SC7037.
-Result<std::string> read_named_file(const std::string& file);
-
 /// Returns a file name as one of another file's folder has it; a whole path stays.
 std::string beside_file(const std::string& file, const std::string& name);
 

@@ -23,8 +23,9 @@ using Sections = std::vector<std::string>;
 
 constexpr double kFarthestLimit = 1e5;  // mm: what lies beyond means no limit, such as 1e99
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr double kNoLimit = 1e9;  // units a second or a square second: from here on it is none
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 std::string in_lower_case(std::string_view text) {
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(), lower);
@@ -56,6 +57,7 @@ class ConfigurationReader {
                                 const std::function<bool(double, double)>& better);
   void take_best(const std::string& key, const Sections& sections, std::string_view name,
                  const std::function<bool(double, double)>& better, double factor);
+  void set_limit(const std::string& key, const IniNumber& number, double factor);
   void take_limit(const std::string& key, const Sections& sections, std::string_view name,
                   const std::function<bool(double, double)>& better);
   void take_first(const std::string& key, std::string_view section,
@@ -161,8 +163,14 @@ void ConfigurationReader::take_best(const std::string& key, const Sections& sect
                                     std::string_view name,
                                     const std::function<bool(double, double)>& better,
                                     double factor) {
-  if (const auto number = best(sections, name, better))
-    draft_.set(key, number->value * factor, number->at);
+  if (const auto number = best(sections, name, better)) set_limit(key, *number, factor);
+}
+void ConfigurationReader::set_limit(const std::string& key, const IniNumber& number,
+                                    double factor) {
+  if (std::abs(number.value) < kNoLimit)
+    draft_.set(key, number.value * factor, number.at);
+  else
+    draft_.leave(number.at, "no limit");
 }
 
 void ConfigurationReader::take_limit(const std::string& key, const Sections& sections,
@@ -176,7 +184,7 @@ void ConfigurationReader::take_first(const std::string& key, std::string_view se
                                      std::initializer_list<std::string_view> names, double factor) {
   for (const std::string_view name : names)
     if (const auto number = ini_.number(section, name); number && !draft_.has(key))
-      draft_.set(key, number->value * factor, number->at);
+      set_limit(key, *number, factor);
 }
 
 void ConfigurationReader::take_axis(int axis) {
@@ -246,7 +254,7 @@ void ConfigurationReader::take_step_times() {
 
 std::optional<std::string> ConfigurationReader::text_beside(const IniVariable& variable) {
   const std::string file = beside_file(file_, variable.value);
-  auto text = read_named_file(file);
+  auto text = draft_.read_named_file(file);
   if (text) return std::move(*text);
   draft_.warn(Code::SC7037, variable.at, "the file " + file + " " + text.error().message);
   draft_.leave(variable.at);

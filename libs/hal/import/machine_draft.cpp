@@ -5,9 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 #include <tuple>
 
 #include "hal/files/number.hpp"
+#include "hal/files/text_file.hpp"
 #include "hal/import/setting_value.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/machine/toml_text.hpp"
@@ -28,12 +30,12 @@ std::string source_of(const GivenAt& from) {
          std::to_string(from.pos.line) + ")";
 }
 
-Diagnostic diagnostic(Code code, const GivenAt& at, std::string message) {
-  return {.code = code,
-          .pos = at.pos,
-          .message = std::move(message),
-          .file = at.file,
-          .source_line = at.line};
+/// Whether a file lies below a folder, whatever links lead there.
+bool is_below(const std::filesystem::path& file, const std::string& folder) {
+  std::error_code unreadable;
+  const auto root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, unreadable);
+  const auto [end, at] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  return !unreadable && end == root.end();
 }
 
 bool stands_before(const Diagnostic& a, const Diagnostic& b) {
@@ -41,6 +43,32 @@ bool stands_before(const Diagnostic& a, const Diagnostic& b) {
 }
 
 }  // namespace
+
+Diagnostic MachineDraft::diagnostic(Code code, const GivenAt& at, std::string message) const {
+  return {.code = code,
+          .pos = at.pos,
+          .message = std::move(message),
+          .file = at.file,
+          .source_line = unquoted_.contains(at.file) ? std::string() : at.line};
+}
+
+Result<std::string> MachineDraft::read_named_file(const std::string& file) {
+  const auto refused = [&](std::string why) {
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC7037, .message = std::move(why), .file = file});
+  };
+  std::error_code unreadable;
+  const auto whole = std::filesystem::weakly_canonical(file, unreadable);
+  const bool is_own = !unreadable && is_below(whole, folder_);
+  const auto holds = [&whole](const std::string& folder) { return is_below(whole, folder); };
+  if (!is_own && !std::any_of(allowed_.begin(), allowed_.end(), holds))
+    return refused("lies outside the folder of the settings; --allow-include DIR reads it");
+  if (!is_own) unquoted_.insert(file);
+  const auto type = std::filesystem::status(file, unreadable).type();
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
+    return refused("cannot be read: not a regular file");
+  return read_text(file, Code::SC7037);
+}
 
 void MachineDraft::add(Value value) {
   if (known_.insert(value.key).second) values_.push_back(std::move(value));
@@ -84,25 +112,26 @@ void MachineDraft::add_missing_limits() {
   }
 }
 
-/// Keys without a table come first, then each table in one piece.
+/// Keys without a table come first, then each table in one piece, in the order of its first value.
 std::string MachineDraft::text(const std::string& made_from) {
-  std::vector<std::string> tables{""};
-  for (const Value& value : values_)
-    if (const std::string table = table_of(value.key);
-        std::find(tables.begin(), tables.end(), table) == tables.end())
-      tables.push_back(table);
+  std::vector<std::pair<std::string, std::vector<const Value*>>> tables{{"", {}}};
+  std::map<std::string, std::size_t> places{{"", 0}};
+  for (const Value& value : values_) {
+    const auto [place, added] = places.try_emplace(table_of(value.key), tables.size());
+    if (added) tables.emplace_back(place->first, std::vector<const Value*>());
+    tables[place->second].second.push_back(&value);
+  }
   std::string text = "# " + comment_text(made_from) + "\n";
   int line = 1;
-  for (const std::string& table : tables) {
+  for (const auto& [table, values] : tables) {
     if (!table.empty()) {
       text += "\n[" + table + "]\n";
       line += 2;
     }
-    for (const Value& value : values_) {
-      if (table_of(value.key) != table) continue;
+    for (const Value* value : values) {
       const auto begin = table.empty() ? 0 : table.size() + 1;
-      text += value.key.substr(begin) + " = " + value.value + "  # " + value.comment + "\n";
-      if (++line; value.from) places_.insert_or_assign(line, *value.from);
+      text += value->key.substr(begin) + " = " + value->value + "  # " + value->comment + "\n";
+      if (++line; value->from) places_.insert_or_assign(line, *value->from);
     }
   }
   if (!left_.empty()) text += "\n# Settings without a key in machine files:\n";

@@ -17,6 +17,17 @@ namespace softcnc::hal {
 
 class MachineDraft {
  public:
+  MachineDraft() = default;
+  /// Files that settings name are read where they lie below `folder`, that of the settings, or
+  /// below an allowed one.
+  MachineDraft(std::string folder, std::vector<std::string> allowed)
+      : folder_(std::move(folder)), allowed_(std::move(allowed)) {}
+
+  /// Reads a file that settings name, which must be a regular one: nobody waits for a pipe that a
+  /// person has not named. What lies outside the folder of the settings is not quoted. Errors:
+  /// SC7037.
+  Result<std::string> read_named_file(const std::string& file);
+
   /// Takes over a value, as a machine file spells it, which `from` gives; a comment says so.
   void set(const std::string& key, std::string value, const GivenAt& from);
   void set(const std::string& key, double value, const GivenAt& from);
@@ -44,10 +55,14 @@ class MachineDraft {
     std::optional<GivenAt> from;
   };
 
+  Diagnostic diagnostic(Code code, const GivenAt& at, std::string message) const;
   void add(Value value);
   void add_missing_limits();
   std::string text(const std::string& made_from);
 
+  std::string folder_;
+  std::vector<std::string> allowed_;
+  std::set<std::string> unquoted_;  // files
   std::vector<Value> values_;
   std::set<std::string> known_;
   std::vector<std::string> left_;

@@ -46,12 +46,26 @@ LoadedOrErrors load_file(const std::string& file, std::span<const std::string> s
   return load_text(&*text, file, settings, origin);
 }
 
+/// Whether a link leads to a file that is not below the folder of the link.
+bool leads_out(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return false;
+  const fs::path parent = fs::path(file).parent_path();
+  const fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
+  const fs::path target = fs::canonical(file, error);
+  return error || std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first !=
+                      folder.end();
+}
+
 /// A file that nobody has named is neither waited for nor passed over.
 std::optional<Diagnostic> unlike_a_file(const std::string& file) {
   std::error_code error;
   const auto type = std::filesystem::status(file, error).type();
-  if (type == std::filesystem::file_type::regular) return std::nullopt;
-  const std::string why = type == std::filesystem::file_type::not_found
+  const bool regular = type == std::filesystem::file_type::regular;
+  if (regular && !leads_out(file)) return std::nullopt;
+  const std::string why = regular ? "it is a link out of its folder; name the machine by --machine"
+                          : type == std::filesystem::file_type::not_found
                               ? "it is a link to nothing"
                               : "it is not a regular file";
   return Diagnostic{.code = Code::SC7003, .message = "cannot be read: " + why, .file = file};

@@ -67,11 +67,11 @@ class CsvTraceReader final : public TraceReader {
       : lines_(std::move(bytes)), name_(std::move(name)) {}
 
   Status read_names();
-  Status select(std::span<const std::size_t> columns) override;
-  Result<bool> next() override;
   Diagnostic wrong_value(std::size_t selected, std::string why) const override;
 
  private:
+  Status select_columns(std::span<const std::size_t> columns) override;
+  Result<bool> read_next() override;
   Result<bool> next_line();
   Status read_row();
   bool read_value(std::string_view text, std::size_t selected);
@@ -128,7 +128,7 @@ Status CsvTraceReader::read_names() {
   return {};
 }
 
-Status CsvTraceReader::select(std::span<const std::size_t> columns) {
+Status CsvTraceReader::select_columns(std::span<const std::size_t> columns) {
   selected_.assign(columns_.size(), kUnselected);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     selected_[columns[i]] = static_cast<int>(i);
@@ -139,7 +139,7 @@ Status CsvTraceReader::select(std::span<const std::size_t> columns) {
   return {};
 }
 
-Result<bool> CsvTraceReader::next() {
+Result<bool> CsvTraceReader::read_next() {
   const auto read = next_line();
   if (!read || !*read) return read;
   if (Status good = read_row(); !good) return tl::make_unexpected(std::move(good.error()));

@@ -128,11 +128,11 @@ class NpzTraceReader final : public TraceReader {
  public:
   NpzTraceReader(std::string file, std::optional<TemporaryFile> unpacked, ZipReader zip);
 
-  Status select(std::span<const std::size_t> columns) override;
-  Result<bool> next() override;
   Diagnostic wrong_value(std::size_t selected, std::string why) const override;
 
  private:
+  Status select_columns(std::span<const std::size_t> columns) override;
+  Result<bool> read_next() override;
   Status add(const std::string& column);
   Status fill();
   Status read_limit(const NpzColumnReader& column, std::size_t row);
@@ -159,7 +159,7 @@ NpzTraceReader::NpzTraceReader(std::string file, std::optional<TemporaryFile> un
   }
 }
 
-Status NpzTraceReader::select(std::span<const std::size_t> columns) {
+Status NpzTraceReader::select_columns(std::span<const std::size_t> columns) {
   selected_.clear();
   for (const std::size_t column : columns)
     if (Status added = add(columns_[column]); !added) return added;
@@ -191,7 +191,7 @@ Status NpzTraceReader::fill() {
   return {};
 }
 
-Result<bool> NpzTraceReader::next() {
+Result<bool> NpzTraceReader::read_next() {
   if (row_ == rows_) {
     for (NpzColumnReader& column : selected_)
       if (Status whole = column.finish(file_); !whole)

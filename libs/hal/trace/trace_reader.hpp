@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -46,11 +47,13 @@ class TraceReader {
 
   /// Selects the columns whose values are read, by their numbers, each once. Call before next().
   /// Errors: SC6081, SC6082.
-  virtual Status select(std::span<const std::size_t> columns) = 0;
+  Status select(std::span<const std::size_t> columns);
 
   /// Reads the next row; false after the last one. Memory does not grow with the number of rows.
-  /// Errors: SC6081, SC6082, SC6083.
-  virtual Result<bool> next() = 0;
+  /// Times are finite and do not run back; positions are within kFarthest, and no two rows are
+  /// further apart than kLongestStep. Errors: SC6081, SC6082, SC6083.
+  Result<bool> next();
+  static constexpr double kLongestStep = 1e4;  // mm
 
   /// The values of the selected columns, in the order of the selection; 0 for the limit.
   std::span<const double> values() const noexcept { return values_; }
@@ -61,10 +64,21 @@ class TraceReader {
   virtual Diagnostic wrong_value(std::size_t selected, std::string why) const = 0;
 
  protected:
+  virtual Status select_columns(std::span<const std::size_t> columns) = 0;
+  virtual Result<bool> read_next() = 0;
+
   std::vector<std::string> columns_;
   TraceComment comment_;
   std::vector<double> values_;
   Limit limit_ = Limit::stop;
+
+ private:
+  enum class Bound : std::uint8_t { none, time, position };
+  static Bound bound_of(std::string_view column) noexcept;
+  std::string excess(std::size_t selected) const;
+
+  std::vector<Bound> bounds_;   // of the selected columns
+  std::vector<double> before_;  // the values of the row before; empty before the first
 };
 
 }  // namespace softcnc::hal

@@ -30,14 +30,16 @@ std::string length_text(double mm, double excess_mm) {
   return text;
 }
 
-std::string range_text(const Axis& axis, char letter, double excess) {
-  const double size = std::abs(excess);
-  const double reached = excess < 0 ? axis.min + excess : axis.max + excess;
-  return fmt::format("{} reaches {} mm, {} mm beyond its travel from {:.6g} to {:.6g} mm", letter,
-                     length_text(reached, size), length_text(size, size), axis.min, axis.max);
-}
-
 }  // namespace
+
+std::string beyond_travel(const Machine& machine, int axis, double excess) {
+  const auto index = static_cast<std::size_t>(axis);
+  const double min = machine.axes[index].min, max = machine.axes[index].max;
+  const double size = std::abs(excess);
+  return fmt::format("{} reaches {} mm, {} mm beyond its travel from {:.6g} to {:.6g} mm",
+                     kAxisLetters[index], length_text((excess < 0 ? min : max) + excess, size),
+                     length_text(size, size), min, max);
+}
 
 std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine) {
   const AxisVector begin = start(move.path);
@@ -51,13 +53,12 @@ std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine)
   if (within) return std::nullopt;
   const Extent box = extent(move.path);
   std::string text;
-  std::uint32_t beyond = 0;  // one bit for each axis
+  std::uint32_t beyond = 0;
   for (int i = 0; i < kAxes; ++i) {
     const double by = excess_in(box, i);
     if (by == 0) continue;
-    const auto axis = static_cast<std::size_t>(i);
-    text += (text.empty() ? "" : "; ") + range_text(machine.axes[axis], kAxisLetters[axis], by);
-    beyond |= 1U << axis;
+    text += (text.empty() ? "" : "; ") + beyond_travel(machine, i, by);
+    beyond |= travel_end(i, by > 0);
   }
   if (text.empty()) return std::nullopt;
   return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}, {}, beyond};

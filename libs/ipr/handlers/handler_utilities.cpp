@@ -39,6 +39,9 @@ PathMode path_mode_of(const Modal& modal) {
   return modal.stops_once ? PathMode::stop : modal.path_mode;
 }
 bool is_exact(const Modal& modal) { return modal.stops_once || modal.exact_path; }
+std::int16_t system_of_place(const Modal& modal) {
+  return modal.machine_coordinates ? kNoSystem : static_cast<std::int16_t>(modal.state.active);
+}
 
 /// F was 0: reported at it, if it stands on the line. Returns false.
 [[gnu::cold]] bool report_zero_feed(Task& task) {
@@ -158,7 +161,7 @@ SourcePos place_of(const Task& task, char letter) {
   }
   task.out.emit(Move{std::move(path), true, 0, path_mode_of(modal), modal.corner_tolerance,
                      modal.chord_tolerance, modal.feed_override, std::nullopt, is_exact(modal),
-                     modal.speed_override});
+                     modal.speed_override, system_of_place(modal)});
 }
 
 [[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
@@ -171,7 +174,8 @@ SourcePos place_of(const Task& task, char letter) {
           modal.feed_override,
           surface_at_speed(modal),
           is_exact(modal),
-          modal.speed_override};
+          modal.speed_override,
+          system_of_place(modal)};
 }
 
 [[gnu::hot]] bool has_feed(Task& task) {

@@ -64,6 +64,21 @@ AxisVector reached(const Task& task, const AxisVector& home, LetterSet axes) {
   return turned ? coordinates.to_machine(end) : end;
 }
 
+/// G28 Z0 in G90 goes to Z0 of the work first, and few mean that.
+void warn_of_zero_first(Task& task) {
+  Modal& modal = task.modal;
+  if (modal.incremental || modal.machine_coordinates || modal.zero_reported) return;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[i];
+    if (!task.values.has(letter) || task.values[letter] != 0) continue;
+    modal.zero_reported = true;
+    const std::string word = std::string(1, letter) + "0";
+    return report_word(task, letter, Code::SC2116,
+                       code_name(task.code) + " " + word + " goes to " + word +
+                           " of the work system first; behind G91 it goes straight");
+  }
+}
+
 }  // namespace
 
 /// By way of the point that the axis words name, both moves being rapids.
@@ -77,7 +92,9 @@ void go_home(Task& task) {
     modal.beside.reset();
   }
   const AxisVector between = end_point(task);
+  if (between != modal.position) warn_of_zero_first(task);
   move_straight(task, between, true);
+  modal.machine_coordinates = true;
   move_straight(task, reached(task, *home, axes), true);
 }
 

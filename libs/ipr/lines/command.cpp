@@ -67,6 +67,12 @@ SourcePos assignment_in(const ProgramLine& line) noexcept {
   return sign;
 }
 
+/// G70 and G71 are the units of Mach3, PlanetCNC and DIN 66025.
+constexpr double kInches = 70, kMillimetres = 71;
+bool is_unit_of_others(const Word& word) {
+  return word.letter == 'G' && (word.value == kInches || word.value == kMillimetres);
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -122,6 +128,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   std::string message = code_name(word.letter, word.value) + " is not supported";
   if (!dialect.empty()) message += " in the " + std::string(dialect) + " dialect";
   if (dialect.empty() && may_be_of_machine(word)) message += lines_of_machine(word, words_);
+  if (is_unit_of_others(word)) message += word.value == kInches ? "; G20 is inch" : "; G21 is mm";
   out.report(Code::SC2001, word.pos, std::move(message));
 }
 

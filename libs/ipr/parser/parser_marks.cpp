@@ -88,6 +88,12 @@ LetterSet letters_in(std::string_view text) noexcept {
   return letters;
 }
 
+/// Whether a letter looks like the digit 1.
+bool is_small_l(std::string_view text, const Token& letter) {
+  const auto at = static_cast<std::size_t>(letter.column) - 1;
+  return letter.kind == Token::Kind::letter && at < text.size() && text[at] == 'l';
+}
+
 /// Whether a comma is that of FANUC's ,C and ,R.
 bool begins_corner(std::string_view mark, Lexer lexer) {
   return mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
@@ -129,10 +135,15 @@ void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
     after.next();
     return refuse_stranger(after, instead);
   }
-  if (has_word_before(letter.column)) lose_word_before();
+  const bool in_number = has_word_before(letter.column);
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
+  const bool one = is_small_l(line_.text, instead) || (in_number && is_small_l(line_.text, letter));
+  if (in_number) lose_word_before();
   give_up(Code::SC1002, letter.column, 1,
-          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
+          std::string("no number after ") + letter.letter +
+              (zero  ? kLetterForDigit
+               : one ? kLetterForOne
+                     : ""));
 }
 
 /// Whether one ends right before it.

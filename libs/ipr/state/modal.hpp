@@ -150,7 +150,7 @@ struct Modal : Modes {
   bool feed_warned = false, spindle_warned = false, dwell_warned = false, peck_warned = false;
   bool look_ahead_reported = false, chopping_reported = false, order_reported = false;
   bool across_reported = false, corner_radius_reported = false;
-  bool idle_dwell_reported = false;
+  bool idle_dwell_reported = false, zero_reported = false;
   bool diameter_warned = false;  // of Haas: that offsets are taken for diameters
   bool rest_reported = false;    // once a G06.4: that the spindle rests
   bool ended = false;            // M02 or M30 was read

@@ -29,6 +29,7 @@ std::string_view wide_encoding_at(std::string_view text, std::size_t nul);
 
 /// A hint that follows the message about a letter O that makes no sense.
 inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
+inline constexpr const char* kLetterForOne = "; is the digit 1 meant?";
 
 struct TextError {
   Code code;

@@ -37,9 +37,21 @@ int characters(std::string_view line, int bytes) {
          std::max(0, bytes - static_cast<int>(line.size()));
 }
 
+/// Characters that turn the direction of what follows (Unicode's Bidi_Control), by which a text
+/// shows what it does not say.
+bool turns_direction(std::string_view character) {
+  if (character == "\xD8\x9C") return true;  // U+061C
+  if (character.size() != 3 || character[0] != '\xE2') return false;
+  const auto second = static_cast<unsigned char>(character[1]);
+  const auto third = static_cast<unsigned char>(character[2]);
+  if (second == 0x80) return third == 0x8E || third == 0x8F || (third >= 0xAA && third <= 0xAE);
+  return second == 0x81 && third >= 0xA6 && third <= 0xA9;
+}
+
 bool is_control(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return (first < 0x20 && first != '\t') || first == 0x7F;
+  if (turns_direction(character)) return true;
   return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
@@ -74,8 +86,8 @@ Diagnostic harmless(const Diagnostic& d) {
   std::vector<CallPlace> calls = d.calls;
   for (CallPlace& call : calls) call.file = harmless(call.file);
   return {
-      d.code,           pos,       harmless(d.message), harmless(d.file), harmless(d.source_line),
-      std::move(calls), d.subject, d.unreachable};
+      d.code,           pos,       harmless(d.message), harmless(d.file),  harmless(d.source_line),
+      std::move(calls), d.subject, d.unreachable,       harmless(d.advice)};
 }
 
 /// Returns blanks as wide as the text is on a terminal; tabs stay tabs.
@@ -173,13 +185,17 @@ Diagnostic shown(const Diagnostic& diagnostic) {
   return d;
 }
 
-std::string render(const Diagnostic& diagnostic) {
+std::string render(const Diagnostic& diagnostic, Help help) {
   const Diagnostic d = harmless(diagnostic);
   std::string text = d.file.empty() ? "softcnc" : d.file;
   const int column = d.pos.column > 0 ? characters(d.source_line, d.pos.column - 1) + 1 : 0;
   if (d.pos.line > 0) text += fmt::format(":{}:{}", d.pos.line, std::max(column, 1));
   text += fmt::format(": {}: {} [{}]\n", name(d.severity()), d.message, code_name(d.code));
   if (d.pos.line > 0 && !d.source_line.empty()) text += excerpt(d.source_line, d.pos);
+  const std::string_view advice = d.advice.empty() && help == Help::always
+                                      ? code_info(d.code).help
+                                      : std::string_view(d.advice);
+  if (!advice.empty()) text += fmt::format("      = help: {}\n", advice);
   for (std::size_t i = 0, same = 0; i < d.calls.size(); i += same) {
     const CallPlace& call = d.calls[i];
     for (same = 1; i + same < d.calls.size() && d.calls[i + same] == call;) ++same;
@@ -263,11 +279,20 @@ void Diagnostics::report(Diagnostic diagnostic) {
   diagnostic.calls = calls_to(diagnostic.pos);
   if (diagnostic.file.empty())
     diagnostic.file = files_[static_cast<std::size_t>(diagnostic.pos.file)];
-  if (diagnostic.severity() == Severity::error) ++errors_;
-  status_ = worse_status(status_, exit_status(diagnostic));
+  count(diagnostic);
   if (!holding_) return deliver(std::move(diagnostic));
   if (!held_.empty() && !of_one_line(held_.front().pos, diagnostic.pos)) deliver_held();
   held_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::count(const Diagnostic& diagnostic) noexcept {
+  if (diagnostic.severity() == Severity::error) ++errors_;
+  status_ = worse_status(status_, exit_status(diagnostic));
+}
+
+void Diagnostics::pass_on(Diagnostic complete) {
+  count(complete);
+  deliver(std::move(complete));
 }
 
 void Diagnostics::deliver(Diagnostic diagnostic) {

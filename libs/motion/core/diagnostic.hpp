@@ -65,6 +65,7 @@ struct Diagnostic {
   std::vector<CallPlace> calls = {};  // calls that led there, the last one first
   std::uint32_t subject = 0;          // if any: a position is reported once per subject
   bool unreachable = false;           // of a line that is never run: a warning instead of an error
+  std::string advice = {};            // what to do about this one; empty: the help of its code
 
   Severity severity() const noexcept {
     const Severity usual = code_info(code).severity;
@@ -72,10 +73,14 @@ struct Diagnostic {
   }
 };
 
+/// What render() adds below the caret: advice that a diagnostic has of its own, or that or the help
+/// of its code.
+enum class Help : std::uint8_t { own, always };
+
 /// Renders file:line:column: severity: message [SCnnnn], then the source line and a caret below its
-/// columns. The column shown counts characters (UTF-8 code points), as editors do; control
-/// characters are shown as U+FFFD. Ends with a newline.
-std::string render(const Diagnostic& diagnostic);
+/// columns, then help. The column shown counts characters (UTF-8 code points), as editors do;
+/// control characters are shown as U+FFFD. Ends with a newline.
+std::string render(const Diagnostic& diagnostic, Help help = Help::own);
 
 /// Returns the diagnostic with values for display: column and length count characters, and control
 /// characters are replaced.
@@ -123,6 +128,9 @@ class Diagnostics {
   void report(Diagnostic diagnostic);
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line = {});
 
+  /// Counts and delivers a diagnostic that others have completed.
+  void pass_on(Diagnostic complete);
+
   std::span<const Diagnostic> all() const noexcept { return kept_; }
   int errors() const noexcept { return errors_; }
   int status() const noexcept { return status_; }  // worst exit status so far
@@ -140,6 +148,7 @@ class Diagnostics {
   static constexpr std::size_t kRemembered = 100000;  // positions; later ones are reported again
 
   bool is_repeated(const Diagnostic& diagnostic);
+  void count(const Diagnostic& diagnostic) noexcept;
   void deliver(Diagnostic diagnostic);
   void deliver_held();
 

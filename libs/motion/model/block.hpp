@@ -19,6 +19,9 @@ enum class PathMode : std::uint8_t {
   stop,    // G61.1, and FANUC's G61: rest at the end of the block
 };
 
+/// Of a place in machine coordinates.
+inline constexpr std::int16_t kNoSystem = -1;
+
 struct Move {
   Path path;
   bool rapid = false;  // G00: only axis limits bind
@@ -30,6 +33,8 @@ struct Move {
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
   bool exact = false;                // requested by G61, G61.1 or G09: no corner may be rounded
   bool speed_override = true;  // false: no override of the spindle speed may apply (M49, taps)
+  /// The index of the work system whose origin its end moves with; kNoSystem: of none, as by G53.
+  std::int16_t work_system = kNoSystem;
 };
 
 /// Returns the requested feed of a move, mm/s: as programmed, with the override where that applies;

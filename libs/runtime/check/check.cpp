@@ -6,6 +6,7 @@
 #include "hal/backends/backend.hpp"
 #include "runtime/check/corner_cost.hpp"
 #include "runtime/check/endless.hpp"
+#include "runtime/check/travel_summary.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/session/verification.hpp"
 
@@ -23,9 +24,27 @@ Outcome only_read(Program& program, const Machine& machine, const ChannelOptions
   ipr::Reader reader = program.reader();
   Unplanned read = read_unplanned(reader, machine, options, diagnostics, watcher);
   Outcome outcome;
+  outcome.travel = std::move(read.travel);
+  outcome.read_state = std::move(read.state);
   outcome.called_files = std::move(read.called_files);
   outcome.missing_files = std::move(read.missing_files);
   return outcome;
+}
+
+/// Everything that running the program finds.
+Outcome run(Program& program, const Machine& machine, const ChannelOptions& options,
+            hal::Backend& backend, Diagnostics& diagnostics, Watcher* watcher) {
+  if (!program.streamed() && is_endless(program, machine, options, watcher))
+    return only_read(program, machine, options, diagnostics, watcher);
+  ipr::Reader reader = program.reader();
+  ChannelOptions running = skimming(options, machine);
+  if (program.streamed())
+    running.is_endless = [&] {
+      ipr::Reader again = reader.again();
+      return is_endless(again, machine, options, watcher);
+    };
+  return simulate(reader, program.descriptor(), machine, running, backend, diagnostics, nullptr,
+                  watcher);
 }
 
 }  // namespace
@@ -42,22 +61,17 @@ Outcome check(Program& program, const Machine& machine, const ChannelOptions& op
     diagnostics.report(backend.error());
     return Outcome();
   }
-  if (!program.streamed() && is_endless(program, machine, options, watcher))
-    return only_read(program, machine, options, diagnostics, watcher);
-  ipr::Reader reader = program.reader();
-  ChannelOptions running = skimming(options, machine);
-  if (program.streamed())
-    running.is_endless = [&] {
-      ipr::Reader again = reader.again();
-      return is_endless(again, machine, options, watcher);
-    };
-  Outcome outcome = simulate(reader, program.descriptor(), machine, running, **backend, diagnostics,
-                             nullptr, watcher);
-  if (diagnostics.errors() > 0 || outcome.end != Outcome::End::done) return outcome;
-  report_excess(outcome.measured, outcome.deviation, machine, diagnostics);
-  if (notes == CheckNotes::surface_too) outcome.surface.report_blocks(diagnostics);
-  outcome.surface.warn(diagnostics);
-  report_corner_cost(program, machine, options, outcome, watcher, diagnostics);
+  // Who streams a program is to see at once which move leaves the travel.
+  TravelSummary travel(diagnostics, !program.streamed());
+  Diagnostics all(travel.sink());
+  all.set_file(diagnostics.file());
+  Outcome outcome = run(program, machine, options, **backend, all, watcher);
+  travel.report(outcome.travel, machine, {options.state, outcome.read_state});
+  if (all.errors() > 0 || outcome.end != Outcome::End::done) return outcome;
+  report_excess(outcome.measured, outcome.deviation, machine, all);
+  if (notes == CheckNotes::surface_too) outcome.surface.report_blocks(all);
+  outcome.surface.warn(all);
+  report_corner_cost(program, machine, options, outcome, watcher, all);
   return outcome;
 }
 

@@ -2,18 +2,19 @@
 #include "runtime/check/endless.hpp"
 
 #include "runtime/program/each_block.hpp"
-#include "runtime/session/unplanned_travel.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
 /// Hands every block of the program to take(block), unless the watcher wants to stop.
 template <typename Take>
-void read(ipr::Interpreter& interpreter, Watcher* watcher, Take&& take) {
+void read(ipr::Interpreter& interpreter, const ipr::Reader& reader, Watcher* watcher, Take&& take) {
   int blocks = 0;
   const auto take_watched = [&](const Block& block) {
     take(block);
-    return watcher == nullptr || ++blocks % kBlocksBetweenLooks != 0 || !watcher->wants_stop();
+    if (watcher == nullptr || ++blocks % kBlocksBetweenLooks != 0) return true;
+    watcher->reads(reader.place().offset, Reading::before);
+    return !watcher->wants_stop();
   };
   each_block(interpreter, take_watched, [] { return false; });
 }
@@ -35,19 +36,25 @@ bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOption
   ipr::InterpreterOptions reading = options.interpreter;
   reading.compare_dialects = reading.unreachable_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
-  read(interpreter, watcher, [](const Block&) {});
+  read(interpreter, reader, watcher, [](const Block&) {});
   return endless;
 }
 
 Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
                          Diagnostics& diagnostics, Watcher* watcher) {
-  UnplannedTravel travel(machine, diagnostics);
+  Unplanned all;
   ipr::Parser parser(reader, diagnostics);
   ipr::Interpreter interpreter(parser, machine, diagnostics, options.interpreter, options.state);
-  read(interpreter, watcher, [&](const Block& block) {
-    if (const Move* move = std::get_if<Move>(&block.what)) travel.check(*move, block.source);
+  read(interpreter, reader, watcher, [&](const Block& block) {
+    const Move* move = std::get_if<Move>(&block.what);
+    if (move == nullptr) return;
+    all.travel.add(*move);
+    report_outside(*move, block.source, machine, diagnostics);
   });
-  return {interpreter.called_files(), interpreter.missing_files()};
+  all.state = interpreter.state();
+  all.called_files = interpreter.called_files();
+  all.missing_files = interpreter.missing_files();
+  return all;
 }
 
 }  // namespace softcnc::runtime

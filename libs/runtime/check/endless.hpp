@@ -22,7 +22,9 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
                 Watcher* watcher);
 
 struct Unplanned {
-  std::vector<ipr::FoundFile> called_files;  // as of Outcome
+  TravelSurvey travel;  // as of Outcome
+  MachineState state;   // as read_state of Outcome
+  std::vector<ipr::FoundFile> called_files;
   std::set<std::string> missing_files;
 };
 

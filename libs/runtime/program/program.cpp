@@ -118,6 +118,12 @@ std::size_t Program::read(off_t from, char* to, std::size_t size) {
   return n > 0 ? static_cast<std::size_t>(n) : 0;
 }
 
+std::uint64_t Program::size() const noexcept {
+  struct stat status {};
+  if (streamed() || ::fstat(*file_, &status) != 0 || status.st_size < begin_) return 0;
+  return static_cast<std::uint64_t>(status.st_size - begin_);
+}
+
 Status Program::read_status() const {
   return error_ == 0 ? Status() : unreadable(Code::SC6002, name_, error_);
 }

@@ -47,6 +47,9 @@ class Program {
   bool streamed() const noexcept { return stream_ != nullptr; }
   int descriptor() const noexcept { return *file_; }
 
+  /// Returns the size of the text in bytes; 0 if that is not known, as of a stream.
+  std::uint64_t size() const noexcept;
+
   /// Returns hash_hex() of the text. What has not been read yet of a streamed text is read first.
   const std::string& hash();
 

@@ -18,7 +18,7 @@
 #include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/motion_limit.hpp"
 #include "runtime/session/state_history.hpp"
-#include "runtime/session/unplanned_travel.hpp"
+#include "runtime/session/travel_survey.hpp"
 #include "runtime/session/watcher.hpp"
 
 namespace softcnc::runtime {
@@ -71,6 +71,12 @@ class Feeder {
   /// Passes every block to `programmed` before the planner gets it.
   void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
 
+  /// How far the program has been read, in bytes from its beginning.
+  std::uint64_t read_to() noexcept { return parser_.reader().place().offset; }
+  /// Where the moves that have been read go, also those behind an error.
+  const TravelSurvey& travel() const noexcept { return travel_; }
+  /// The state of the machine behind what has been read.
+  const MachineState& read_state() const noexcept { return interpreter_.state(); }
   std::vector<ipr::FoundFile> called_files() const { return interpreter_.called_files(); }
   const std::set<std::string>& missing_files() const noexcept {
     return interpreter_.missing_files();
@@ -94,7 +100,6 @@ class Feeder {
   const Machine path_machine_;  // with the limits of its paths
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
-  UnplannedTravel unplanned_travel_;
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;
@@ -109,6 +114,7 @@ class Feeder {
   bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
+  TravelSurvey travel_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
   MotionLimit limit_;

@@ -249,7 +249,10 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   wanted_ = realtime_ ? collect() : write(rows, cycle);
   if (!wanted_) panel_.stop = true;  // the machine comes to rest on the path all the same
   quiet_ = batch.leads_into_quiet();
-  if (watcher) watcher->sees(outcome_.last);
+  if (watcher) {
+    watcher->reads(channel_.feeder().read_to(), Reading::run);
+    watcher->sees(outcome_.last);
+  }
   channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();
   outcome_.cpu.output += lap();
@@ -322,6 +325,8 @@ Outcome Simulation::finish() {
   if (contour_) outcome_.contour = contour_->report();
   if (rows_) outcome_.columns = rows_->column_figures();
   outcome_.events_left = channel_.events_left();
+  outcome_.travel = channel_.feeder().travel();
+  outcome_.read_state = channel_.feeder().read_state();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.missing_files = channel_.feeder().missing_files();

@@ -2,6 +2,8 @@
 // The observer of a run, and the places where a run waits for a person.
 #pragma once
 
+#include <cstdint>
+
 #include "motion/model/block.hpp"
 #include "motion/model/setpoint.hpp"
 
@@ -17,12 +19,17 @@ struct Pause {
   bool before = false;  // the block, which is the next one; or after it: M00, M01 or M06
 };
 
+/// Why a program is read: to see whether it ends, or to run it.
+enum class Reading : std::uint8_t { before, run };
+
 /// Observes a run from outside, every now and then.
 class Watcher {
  public:
   virtual ~Watcher() = default;
   virtual bool wants_stop() = 0;
   virtual void sees(const Setpoint& latest) = 0;
+  /// How far the program has been read, in bytes from its beginning.
+  virtual void reads(std::uint64_t /*offset*/, Reading /*reading*/) {}
   /// Is called before M00, M01, M06 or a single block is passed. Returns when the program may go
   /// on, or is to stop.
   virtual void pause(const Pause& pause) = 0;

@@ -24,19 +24,18 @@ def help_of(softcnc, *command):
 
 
 def commands_of(softcnc):
-    text = help_of(softcnc).split("\nSubcommands:\n")[1]
+    text = help_of(softcnc).split("\nCommands:\n")[1]
     return re.findall(r"^  ([a-z]+)\s", text.split("\n\n")[0], re.MULTILINE)
 
 
 def options_of(softcnc, command):
     """(names with value, meaning) of each option of a command, in its order."""
-    lines = help_of(softcnc, command).split("\nOptions:\n")[1].split("\n\n")[0].splitlines()
     found = []
-    for line in lines:
-        match = re.match(r"  (-\S+(?: \S+)*?)(?: Excludes: \S+)?(?:(?: \.\.\. |\s{2,})(.*)| \.\.\.)?$", line)
+    for line in help_of(softcnc, command).split("\nExamples:\n")[0].splitlines():
+        match = re.match(r"  (-\S+(?: \S+)*?)(?: \.\.\.)?(?:\s{2,}(.*))?$", line)
         if match:
-            found.append([match[1].removesuffix(" ..."), (match[2] or "").strip()])
-        else:
+            found.append([match[1], (match[2] or "").strip()])
+        elif found and line.startswith("   "):
             found[-1][1] = (found[-1][1] + " " + line.strip()).strip()
     return [(name, meaning) for name, meaning in found if not name.startswith("-h,")]
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Part programs by their folders.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/core/result.hpp"
+
+namespace softcnc::app {
+
+/// Returns the files, and instead of each folder the part programs below it, in the order of their
+/// names: those that end in .nc, .ngc, .tap, .gcode, .gc, .cnc or .eia, in any case. Links to
+/// folders are not followed. Errors: SC6001 for a folder that holds none or cannot be read.
+Result<std::vector<std::string>> programs_in(const std::vector<std::string>& names);
+
+}  // namespace softcnc::app
