@@ -51,6 +51,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("-V").out == call("--version").out);
   CHECK(call("help run").out == call("run --help").out);
   CHECK(call("help").out == call("--help").out);
+  CHECK(shows(call("help chek").err, "'chek' is not a command; did you mean 'check'?"));
   for (const char* command :
        {"", "run", "check", "blocks", "record", "replay", "surface", "compare", "circle",
         "identify", "machine", "latency", "pulses", "codes"}) {

@@ -101,6 +101,26 @@ TEST_CASE("no offset is advised that would change nothing", "[apps][check][work]
   CHECK(advised(sets_its_own).empty());
 }
 
+TEST_CASE("what is advised fits, wherever the program begins", "[apps][check][work]") {
+  Folder folder;
+  with_mill(folder);
+  // Where the machine stands already, X0 moves nothing.
+  const std::string part = "G21 G90\nG0 X0\nG1 X290 F500\nM2\n";
+  const std::string out = check(folder, part).out;
+  CHECK(shows(out,
+              "in G54 the program spans X 0 to 290 mm; it fits with the origin of G54 at X -300 "
+              "to -290 mm"));
+  CHECK(check(folder, part, advised(out)).status == 0);
+  for (const char* never :
+       {"G21 G91\nG1 X90 F500\nM2\n", "G21 G90\nG92 X0 Y0 Z0\nG1 X90 F500\nM2\n",
+        "G21 G90\nG10 L2 P1 X0 Y0 Z0\nG1 X90 F500\nM2\n", "G21 G90 G17\nG2 X0 Y0 I50 J0 F500\nM2\n",
+        "G21 G90\nG0 X0.0005\nX300.0005\nM2\n"}) {
+    const Ended ended = check(folder, never);
+    CHECK(ended.status == 3);
+    CHECK(advised(ended.out).empty());
+  }
+}
+
 TEST_CASE("the advice is on the work system that leaves the travel", "[apps][check][work]") {
   Folder folder;
   with_mill(folder);

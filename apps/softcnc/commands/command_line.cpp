@@ -113,8 +113,10 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error,
 std::vector<const char*> with_help_as_option(std::span<const char* const> words) {
   std::vector<const char*> all(words.begin(), words.end());
   if (all.size() < 2 || std::string_view(all[1]) != "help") return all;
+  if (all.size() == 2) return {all[0], "--help"};
+  for (const CommandEntry& command : command_table())
+    if (std::string_view(all[2]) == command.name) return {all[0], all[2], "--help"};
   all.erase(all.begin() + 1);
-  all.push_back("--help");
   return all;
 }
 

@@ -33,7 +33,8 @@ std::string source_of(const GivenAt& from) {
 /// Whether a file lies below a folder, whatever links lead there.
 bool is_below(const std::filesystem::path& file, const std::string& folder) {
   std::error_code unreadable;
-  const auto root = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, unreadable);
+  const auto root = std::filesystem::weakly_canonical(
+      std::filesystem::absolute(folder.empty() ? "." : folder, unreadable), unreadable);
   const auto [end, at] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
   return !unreadable && end == root.end();
 }
@@ -58,7 +59,8 @@ Result<std::string> MachineDraft::read_named_file(const std::string& file) {
         Diagnostic{.code = Code::SC7037, .message = std::move(why), .file = file});
   };
   std::error_code unreadable;
-  const auto whole = std::filesystem::weakly_canonical(file, unreadable);
+  const auto whole =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(file, unreadable), unreadable);
   const bool is_own = !unreadable && is_below(whole, folder_);
   const auto holds = [&whole](const std::string& folder) { return is_below(whole, folder); };
   if (!is_own && !std::any_of(allowed_.begin(), allowed_.end(), holds))

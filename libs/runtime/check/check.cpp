@@ -31,6 +31,26 @@ Outcome only_read(Program& program, const Machine& machine, const ChannelOptions
   return outcome;
 }
 
+/// What reading the program from another state finds.
+TravelReading read_from(const MachineState& state, Program& program, const Machine& machine,
+                        ChannelOptions options, Watcher* watcher) {
+  TravelReading reading{.before = state};
+  bool beyond = false, wrong = false;
+  Diagnostics silent([&](const Diagnostic& diagnostic) {
+    if (diagnostic.severity() != Severity::error) return;
+    (diagnostic.code == Code::SC4001 ? beyond : wrong) = true;
+  });
+  options.state = state;
+  ipr::Reader reader = program.reader();
+  Unplanned read = read_unplanned(reader, machine, options, silent, watcher);
+  reading.after = std::move(read.state);
+  reading.survey = std::move(read.travel);
+  wrong = wrong || (watcher != nullptr && watcher->wants_stop());
+  reading.good = !beyond && !wrong;
+  reading.only_travel = beyond && !wrong;
+  return reading;
+}
+
 /// Everything that running the program finds.
 Outcome run(Program& program, const Machine& machine, const ChannelOptions& options,
             hal::Backend& backend, Diagnostics& diagnostics, Watcher* watcher) {
@@ -66,7 +86,10 @@ Outcome check(Program& program, const Machine& machine, const ChannelOptions& op
   Diagnostics all(travel.sink());
   all.set_file(diagnostics.file());
   Outcome outcome = run(program, machine, options, **backend, all, watcher);
-  travel.report(outcome.travel, machine, {options.state, outcome.read_state});
+  travel.report({.before = options.state, .after = outcome.read_state, .survey = outcome.travel},
+                machine, [&](const MachineState& state) {
+                  return read_from(state, program, machine, options, watcher);
+                });
   if (all.errors() > 0 || outcome.end != Outcome::End::done) return outcome;
   report_excess(outcome.measured, outcome.deviation, machine, all);
   if (notes == CheckNotes::surface_too) outcome.surface.report_blocks(all);

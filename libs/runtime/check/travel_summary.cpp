@@ -49,75 +49,103 @@ struct FittingOrigins {
   }
 };
 
-/// What the advice on one work system is made of.
-struct SystemTravel {
-  int index;
-  const TravelSpan& span;
-  const AxisVector& origin;
-  const Machine& machine;
+FittingOrigins fitting_origins(const TravelSpan& span, const AxisVector& origin,
+                               const Machine& machine, int i) {
+  if (span.empty(i) || !axis_of(machine, i).present) return {origin[i], origin[i]};
+  const Axis& axis = axis_of(machine, i);
+  return {origin[i] + axis.min - span.min[i], origin[i] + axis.max - span.max[i]};
+}
 
-  FittingOrigins origins(int i) const {
-    if (span.empty(i)) return {origin[i], origin[i]};
-    const Axis& axis = axis_of(machine, i);
-    return {origin[i] + axis.min - span.min[i], origin[i] + axis.max - span.max[i]};
-  }
-};
-
-/// Returns the option that puts the origin where all axes fit; empty if there is no such place.
-std::string fitting_option(const SystemTravel& system) {
-  std::string numbers;
-  for (int i = 0; i < kAxes; ++i) {
-    const FittingOrigins origins = system.origins(i);
-    double chosen = system.origin[i];
-    if (axis_of(system.machine, i).present && !origins.contain(chosen)) {
-      if (origins.empty()) return {};
-      chosen = origins.middle();
+/// Returns the state with the work systems where the moves that were read would fit; nothing where
+/// the program sets an origin itself, or its moves are longer than the travel.
+std::optional<MachineState> moved(const TravelReading& reading, const Machine& machine) {
+  MachineState state = reading.before;
+  for (const auto& [system, span] : reading.survey.by_system()) {
+    if (system == kNoSystem) continue;
+    if (reading.before.work_system(system) != reading.after.work_system(system))
+      return std::nullopt;
+    AxisVector& origin = state.work_system_entry(system).origin;
+    for (int i = 0; i < kAxes; ++i) {
+      const FittingOrigins origins = fitting_origins(span, origin, machine, i);
+      if (origins.empty()) return std::nullopt;
+      if (!origins.contain(origin[i])) origin[i] = std::round(origins.middle() * 1000) / 1000;
     }
-    numbers += (numbers.empty() ? "" : ",") + mm_text(chosen);
   }
-  std::string name = hal::system_name(system.index);
-  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-  return fmt::format("--work {}={}", name, numbers);
+  return state;
 }
 
-std::string advice_on(const SystemTravel& system, int i) {
-  const Axis& axis = axis_of(system.machine, i);
+/// Moves the work systems until the program fits: where an axis has not moved, the first reading
+/// does not know that it was to be there.
+std::optional<TravelReading> fit(TravelReading reading, const Machine& machine,
+                                 const ReadFrom& read) {
+  constexpr int kMostReadings = 3;
+  for (int n = 0; n < kMostReadings && (n == 0 || reading.only_travel); ++n) {
+    const auto state = moved(reading, machine);
+    if (!state || *state == reading.before) return std::nullopt;
+    reading = read(*state);
+    if (reading.good) return reading;
+  }
+  return std::nullopt;
+}
+
+/// The options that put the work systems where they fit.
+std::string options_for(const MachineState& fitting, const MachineState& before) {
+  std::string options;
+  for (int system = 0; system < kWorkSystems + kFurtherSystems; ++system) {
+    const AxisVector origin = fitting.work_system(system).origin;
+    if (origin == before.work_system(system).origin) continue;
+    std::string name = hal::system_name(system);
+    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    options += fmt::format("{}--work {}={},{},{}", options.empty() ? "" : " ", name,
+                           mm_text(origin[0]), mm_text(origin[1]), mm_text(origin[2]));
+  }
+  return options;
+}
+
+/// Returns the work system whose moves go furthest beyond an end of travel; kNoSystem where none
+/// does.
+int worst_system(const TravelSurvey& survey, const Machine& machine, int i, bool above) {
+  int worst = kNoSystem;
+  double most = 0;
+  for (const auto& [system, span] : survey.by_system()) {
+    const double by = excess(span, axis_of(machine, i), i, above);
+    if (system == kNoSystem || span.empty(i) || by <= most) continue;
+    most = by;
+    worst = system;
+  }
+  return worst;
+}
+
+std::string span_text(const TravelSpan& span, const AxisVector& origin, int i) {
   const char letter = kAxisLetters[static_cast<std::size_t>(i)];
-  const std::string name = hal::system_name(system.index);
-  const double low = system.span.min[i], high = system.span.max[i];
-  const std::string from = mm_text(low - system.origin[i]), to = mm_text(high - system.origin[i]);
-  const std::string span = from == to ? fmt::format("is at {} {}", letter, from)
-                                      : fmt::format("spans {} {} to {}", letter, from, to);
-  const std::string reach = fmt::format("in {} the program {} mm", name, span);
-  const FittingOrigins origins = system.origins(i);
-  if (origins.empty())
-    return fmt::format("{}, which is {} mm: more than the travel of {} mm, wherever {} lies", reach,
-                       mm_text(high - low), mm_text(axis.max - axis.min), name);
-  const std::string place =
-      origins.most - origins.least > kSameOrigin
-          ? fmt::format("{} to {}", mm_text(origins.least), mm_text(origins.most))
-          : mm_text(origins.least);
-  const std::string option = fitting_option(system);
-  return fmt::format("{}; it fits with the origin of {} at {} {} mm (now {}){}{}", reach, name,
-                     letter, place, mm_text(system.origin[i]),
-                     option.empty() ? "" : ", for example ", option);
+  const std::string from = mm_text(span.min[i] - origin[i]), to = mm_text(span.max[i] - origin[i]);
+  return from == to ? fmt::format("is at {} {}", letter, from)
+                    : fmt::format("spans {} {} to {}", letter, from, to);
 }
 
-/// Advice on the work system that goes furthest beyond an end of travel; none where the program
-/// sets the origin itself, or the moves are in machine coordinates.
-std::string advice(const TravelSurvey& survey, const Machine& machine, const StatesAround& states,
-                   int i, bool above) {
-  const std::pair<const int, TravelSpan>* worst = nullptr;
-  const auto by = [&](const TravelSpan& span) {
-    return excess(span, axis_of(machine, i), i, above);
-  };
-  for (const auto& system : survey.by_system())
-    if (by(system.second) > 0 && (worst == nullptr || by(system.second) > by(worst->second)))
-      worst = &system;
-  if (worst == nullptr || worst->first == kNoSystem) return {};
-  const WorkOffset work = states.before.work_system(worst->first);
-  if (work != states.after.work_system(worst->first)) return {};
-  return advice_on({worst->first, worst->second, work.origin, machine}, i);
+/// Advice on the moves of a work system along an axis, with the reading that fits if there is one.
+std::string advice_on(const TravelReading& reading, const std::optional<TravelReading>& fits,
+                      const Machine& machine, int system, int i) {
+  const TravelReading& known = fits ? *fits : reading;
+  const auto span = known.survey.by_system().find(system);
+  if (span == known.survey.by_system().end() || span->second.empty(i)) return {};
+  const AxisVector origin = known.before.work_system(system).origin;
+  const std::string name = hal::system_name(system);
+  const std::string program =
+      fmt::format("in {} the program {} mm", name, span_text(span->second, origin, i));
+  const FittingOrigins origins = fitting_origins(span->second, origin, machine, i);
+  const Axis& axis = axis_of(machine, i);
+  if (origins.empty())
+    return fmt::format("{}, which is {} mm: more than the travel of {} mm, wherever {} lies",
+                       program, mm_text(span->second.max[i] - span->second.min[i]),
+                       mm_text(axis.max - axis.min), name);
+  if (!fits) return {};
+  const std::string least = mm_text(origins.least), most = mm_text(origins.most);
+  return fmt::format("{}; it fits with the origin of {} at {} {}{} mm (now {}), for example {}",
+                     program, name, kAxisLetters[static_cast<std::size_t>(i)], least,
+                     least == most ? "" : " to " + most,
+                     mm_text(reading.before.work_system(system).origin[i]),
+                     options_for(fits->before, reading.before));
 }
 
 }  // namespace
@@ -134,9 +162,11 @@ Diagnostics::Sink TravelSummary::sink() {
   };
 }
 
-void TravelSummary::report(const TravelSurvey& survey, const Machine& machine,
-                           const StatesAround& states) {
-  const TravelSpan all = survey.all();
+void TravelSummary::report(const TravelReading& reading, const Machine& machine,
+                           const ReadFrom& read) {
+  if (std::ranges::none_of(held_, [](const auto& held) { return held.has_value(); })) return;
+  const TravelSpan all = reading.survey.all();
+  const auto fits = fit(reading, machine, read);
   std::vector<Diagnostic> errors;
   for (int end = 0; end < 2 * kAxes; ++end) {
     auto& held = held_[static_cast<std::size_t>(end)];
@@ -149,7 +179,8 @@ void TravelSummary::report(const TravelSurvey& survey, const Machine& machine,
     error.message = ipo::beyond_travel(machine, i, above ? by : -by);
     if (held->lines > 1)
       error.message += fmt::format("; {} lines leave it there, this one first", held->lines);
-    error.advice = advice(survey, machine, states, i, above);
+    if (const int system = worst_system(reading.survey, machine, i, above); system != kNoSystem)
+      error.advice = advice_on(reading, fits, machine, system, i);
     errors.push_back(std::move(error));
   }
   std::ranges::stable_sort(errors, {}, [](const Diagnostic& one) { return one.pos.line; });

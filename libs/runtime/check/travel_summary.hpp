@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "motion/core/diagnostic.hpp"
@@ -13,11 +14,16 @@
 
 namespace softcnc::runtime {
 
-/// The state of the machine before a program and behind it.
-struct StatesAround {
-  const MachineState& before;
-  const MachineState& after;
+/// A program that has been read from a state of the machine.
+struct TravelReading {
+  MachineState before = {}, after = {};
+  TravelSurvey survey = {};
+  bool good = false;         // nothing is wrong with it
+  bool only_travel = false;  // nothing but its travel is
 };
+
+/// Reads the program again from another state.
+using ReadFrom = std::function<TravelReading(const MachineState&)>;
 
 /// Holds back SC4001, which a program that lies beside the travel has on every line.
 class TravelSummary {
@@ -28,10 +34,10 @@ class TravelSummary {
   Diagnostics::Sink sink();
 
   /// Reports what was held back: at the first line of each end of travel, how far the program goes
-  /// beyond it and on how many lines. Where the work system of these moves can lie so that all of
-  /// them fit, the advice names the origins that do; where the program is longer than the travel,
-  /// it says so.
-  void report(const TravelSurvey& survey, const Machine& machine, const StatesAround& states);
+  /// beyond it and on how many lines. Where the work systems can lie so that all of the program
+  /// fits, which reading it from there has to show, the advice names the origins that do; where the
+  /// program is longer than the travel, it says so.
+  void report(const TravelReading& reading, const Machine& machine, const ReadFrom& read);
 
  private:
   struct Held {
