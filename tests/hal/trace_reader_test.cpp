@@ -138,8 +138,7 @@ TEST_CASE("any numbers read back bit for bit from every form", "[hal][trace][pro
   softcnc::test::holds([&] {
     WrittenTrace trace = some_rows(*rc::gen::inRange(1, 50));
     for (Setpoint& row : trace.rows) {
-      for (double& place : row.position)
-        place = std::fmod(*rc::gen::arbitrary<double>(), 1000);
+      for (double& place : row.position) place = std::fmod(*rc::gen::arbitrary<double>(), 1000);
       row.v = *rc::gen::arbitrary<double>();
     }
     const std::string file = folder / ("t" + *rc::gen::elementOf(kSuffixes));

@@ -124,8 +124,7 @@ TEST_CASE("what no run can have is reported with its line", "[runtime][trace][co
   CHECK(problem(kNames + kComment + good + "0.003,1,1,0,0,0,stop,0,0,1\n") ==
         "6: no whole number of periods");
   CHECK(problem(kNames + "0,1,1,nan,0,0,stop,0,0,1\n") == "2: no finite number");
-  CHECK(problem(kNames + "0,1,1,0,0,0,stop,inf,0,1\n") ==
-        "2: a position beyond 1000 m");
+  CHECK(problem(kNames + "0,1,1,0,0,0,stop,inf,0,1\n") == "2: a position beyond 1000 m");
   CHECK(problem(kNames + "0,1,1,0,0,0,stop,nan,0,1\n") == "2: no finite number");
   CHECK(problem(kNames + "0,1.5,1,0,0,0,stop,0,0,1\n") == "2: no number of a line or a block");
   CHECK(problem(kNames + "0,1,9e9,0,0,0,stop,0,0,1\n") == "2: no number of a line or a block");

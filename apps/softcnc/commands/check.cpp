@@ -116,7 +116,9 @@ Checked check_once(const Options& options, Terminal& terminal, FileWatch* change
     out.write(text);
   };
   const auto document = make_document(options.diagnostics, write);
-  Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO), ::isatty(STDOUT_FILENO) != 0);
+  Messages messages = document
+                          ? Messages(*document)
+                          : Messages(write, colourful(STDOUT_FILENO), ::isatty(STDOUT_FILENO) != 0);
   std::vector<std::string> called;
   const int status = check_all(options, out, messages, terminal, called);
   if (changes) changes->also(called);

@@ -55,10 +55,11 @@ class Session {
   void feed(Block block);
   /// Records that nothing more is fed.
   void end() noexcept;
-  /// Returns whether more can be fed: neither end() nor abort() has been called, and the session has
-  /// not ended.
+  /// Returns whether more can be fed: neither end() nor abort() has been called, and the session
+  /// has not ended.
   bool takes_more() const noexcept {
-    return !fed_ && !panel_.stop && status_ != SessionStatus::done && status_ != SessionStatus::alarm;
+    return !fed_ && !panel_.stop && status_ != SessionStatus::done &&
+           status_ != SessionStatus::alarm;
   }
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
