@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ipo/tuning.hpp"
 #include "motion/geometry/extent.hpp"
@@ -62,6 +63,14 @@ std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine)
   }
   if (text.empty()) return std::nullopt;
   return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}, {}, beyond};
+}
+
+void report_travel(const Move& move, SourcePos source, const Machine& machine,
+                   Diagnostics& diagnostics) {
+  auto outside = check_travel(move, machine);
+  if (!outside) return;
+  outside->pos = source;
+  diagnostics.report(std::move(*outside));
 }
 
 }  // namespace softcnc::ipo

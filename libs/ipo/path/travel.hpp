@@ -22,6 +22,10 @@ constexpr std::uint32_t travel_end(int axis, bool above) noexcept {
 /// reported again. The caller sets the position of the diagnostic.
 std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine);
 
+/// Reports the same of a move that is not planned.
+void report_travel(const Move& move, SourcePos source, const Machine& machine,
+                   Diagnostics& diagnostics);
+
 /// Returns "X reaches 13 mm, 1 mm beyond its travel from 0 to 12 mm" for an axis that goes `excess`
 /// mm below (negative) or above its travel.
 std::string beyond_travel(const Machine& machine, int axis, double excess);

@@ -24,14 +24,12 @@ Outcome only_read(Program& program, const Machine& machine, const ChannelOptions
   ipr::Reader reader = program.reader();
   Unplanned read = read_unplanned(reader, machine, options, diagnostics, watcher);
   Outcome outcome;
-  outcome.travel = std::move(read.travel);
-  outcome.read_state = std::move(read.state);
   outcome.called_files = std::move(read.called_files);
   outcome.missing_files = std::move(read.missing_files);
   return outcome;
 }
 
-/// What reading the program from another state finds.
+/// What reading the program from a state finds.
 TravelReading read_from(const MachineState& state, Program& program, const Machine& machine,
                         ChannelOptions options, Watcher* watcher) {
   TravelReading reading{.before = state};
@@ -86,10 +84,9 @@ Outcome check(Program& program, const Machine& machine, const ChannelOptions& op
   Diagnostics all(travel.sink());
   all.set_file(diagnostics.file());
   Outcome outcome = run(program, machine, options, **backend, all, watcher);
-  travel.report({.before = options.state, .after = outcome.read_state, .survey = outcome.travel},
-                machine, [&](const MachineState& state) {
-                  return read_from(state, program, machine, options, watcher);
-                });
+  travel.report(options.state, machine, [&](const MachineState& state) {
+    return read_from(state, program, machine, options, watcher);
+  });
   if (all.errors() > 0 || outcome.end != Outcome::End::done) return outcome;
   report_excess(outcome.measured, outcome.deviation, machine, all);
   if (notes == CheckNotes::surface_too) outcome.surface.report_blocks(all);

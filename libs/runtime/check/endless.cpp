@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/check/endless.hpp"
 
+#include "ipo/path/travel.hpp"
 #include "runtime/program/each_block.hpp"
 
 namespace softcnc::runtime {
@@ -49,7 +50,7 @@ Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const Chan
     const Move* move = std::get_if<Move>(&block.what);
     if (move == nullptr) return;
     all.travel.add(*move);
-    report_outside(*move, block.source, machine, diagnostics);
+    ipo::report_travel(*move, block.source, machine, diagnostics);
   });
   all.state = interpreter.state();
   all.called_files = interpreter.called_files();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ipr/parser/library.hpp"
+#include "runtime/check/travel_survey.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/watcher.hpp"

@@ -11,9 +11,12 @@
 
 #include "hal/machine/state_names.hpp"
 #include "ipo/path/travel.hpp"
+#include "ipr/text/number.hpp"
 
 namespace softcnc::runtime {
 namespace {
+
+using ipr::number_text;
 
 constexpr double kSameOrigin = 1e-6;  // mm
 
@@ -24,14 +27,6 @@ const Axis& axis_of(const Machine& machine, int i) {
 /// Returns by how much a span lies beyond an end of the travel, mm; 0 or less: within.
 double excess(const TravelSpan& span, const Axis& axis, int i, bool above) {
   return above ? span.max[i] - axis.max : axis.min - span.min[i];
-}
-
-/// A length to a micrometre.
-std::string mm_text(double mm) {
-  std::string text = fmt::format("{:.3f}", mm);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text == "-0" ? "0" : text;
 }
 
 /// The origins of a work system, along one axis, with which its moves lie within the travel, mm.
@@ -97,7 +92,7 @@ std::string options_for(const MachineState& fitting, const MachineState& before)
     std::string name = hal::system_name(system);
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
     options += fmt::format("{}--work {}={},{},{}", options.empty() ? "" : " ", name,
-                           mm_text(origin[0]), mm_text(origin[1]), mm_text(origin[2]));
+                           number_text(origin[0]), number_text(origin[1]), number_text(origin[2]));
   }
   return options;
 }
@@ -118,7 +113,8 @@ int worst_system(const TravelSurvey& survey, const Machine& machine, int i, bool
 
 std::string span_text(const TravelSpan& span, const AxisVector& origin, int i) {
   const char letter = kAxisLetters[static_cast<std::size_t>(i)];
-  const std::string from = mm_text(span.min[i] - origin[i]), to = mm_text(span.max[i] - origin[i]);
+  const std::string from = number_text(span.min[i] - origin[i]),
+                    to = number_text(span.max[i] - origin[i]);
   return from == to ? fmt::format("is at {} {}", letter, from)
                     : fmt::format("spans {} {} to {}", letter, from, to);
 }
@@ -137,14 +133,14 @@ std::string advice_on(const TravelReading& reading, const std::optional<TravelRe
   const Axis& axis = axis_of(machine, i);
   if (origins.empty())
     return fmt::format("{}, which is {} mm: more than the travel of {} mm, wherever {} lies",
-                       program, mm_text(span->second.max[i] - span->second.min[i]),
-                       mm_text(axis.max - axis.min), name);
+                       program, number_text(span->second.max[i] - span->second.min[i]),
+                       number_text(axis.max - axis.min), name);
   if (!fits) return {};
-  const std::string least = mm_text(origins.least), most = mm_text(origins.most);
+  const std::string least = number_text(origins.least), most = number_text(origins.most);
   return fmt::format("{}; it fits with the origin of {} at {} {}{} mm (now {}), for example {}",
                      program, name, kAxisLetters[static_cast<std::size_t>(i)], least,
                      least == most ? "" : " to " + most,
-                     mm_text(reading.before.work_system(system).origin[i]),
+                     number_text(reading.before.work_system(system).origin[i]),
                      options_for(fits->before, reading.before));
 }
 
@@ -162,9 +158,10 @@ Diagnostics::Sink TravelSummary::sink() {
   };
 }
 
-void TravelSummary::report(const TravelReading& reading, const Machine& machine,
+void TravelSummary::report(const MachineState& state, const Machine& machine,
                            const ReadFrom& read) {
   if (std::ranges::none_of(held_, [](const auto& held) { return held.has_value(); })) return;
+  const TravelReading reading = read(state);
   const TravelSpan all = reading.survey.all();
   const auto fits = fit(reading, machine, read);
   std::vector<Diagnostic> errors;
@@ -176,7 +173,8 @@ void TravelSummary::report(const TravelReading& reading, const Machine& machine,
     const double by = excess(all, axis_of(machine, i), i, above);
     Diagnostic error = std::move(held->first);
     error.subject = ipo::travel_end(i, above);
-    error.message = ipo::beyond_travel(machine, i, above ? by : -by);
+    if (by > 0)  // otherwise the reading was broken off before
+      error.message = ipo::beyond_travel(machine, i, above ? by : -by);
     if (held->lines > 1)
       error.message += fmt::format("; {} lines leave it there, this one first", held->lines);
     if (const int system = worst_system(reading.survey, machine, i, above); system != kNoSystem)

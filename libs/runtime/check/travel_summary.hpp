@@ -10,7 +10,7 @@
 #include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
 #include "motion/model/machine_state.hpp"
-#include "runtime/session/travel_survey.hpp"
+#include "runtime/check/travel_survey.hpp"
 
 namespace softcnc::runtime {
 
@@ -22,7 +22,7 @@ struct TravelReading {
   bool only_travel = false;  // nothing but its travel is
 };
 
-/// Reads the program again from another state.
+/// Reads the program again from a state.
 using ReadFrom = std::function<TravelReading(const MachineState&)>;
 
 /// Holds back SC4001, which a program that lies beside the travel has on every line.
@@ -37,7 +37,8 @@ class TravelSummary {
   /// beyond it and on how many lines. Where the work systems can lie so that all of the program
   /// fits, which reading it from there has to show, the advice names the origins that do; where the
   /// program is longer than the travel, it says so.
-  void report(const TravelReading& reading, const Machine& machine, const ReadFrom& read);
+  /// `state` is that before the program.
+  void report(const MachineState& state, const Machine& machine, const ReadFrom& read);
 
  private:
   struct Held {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ipo/limits/following_limits.hpp"
+#include "ipo/path/travel.hpp"
 #include "runtime/figures/cpu_clock.hpp"
 #include "runtime/program/descriptor.hpp"
 
@@ -158,8 +159,6 @@ bool Feeder::read_block() {
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
   if (good && programmed_) programmed_->add(*block);
-  if (good)
-    if (const Move* move = std::get_if<Move>(&block->what)) travel_.add(*move);
   if (good) {
     last_place_ = block->source;
     last_number_ = block->number;
@@ -195,12 +194,9 @@ std::optional<Block> Feeder::wait_for_block() {
 
 /// Reads to the end of a program that has none: planning what it does would take long.
 void Feeder::read_unplanned(std::optional<Block> block) {
-  for (; block; block = wait_for_block()) {
-    const Move* move = std::get_if<Move>(&block->what);
-    if (move == nullptr) continue;
-    travel_.add(*move);
-    report_outside(*move, block->source, machine_, diagnostics_);
-  }
+  for (; block; block = wait_for_block())
+    if (const Move* move = std::get_if<Move>(&block->what))
+      ipo::report_travel(*move, block->source, machine_, diagnostics_);
 }
 
 /// Reads to the end of the program only to find what else is wrong. A move that is missing leaves a
@@ -214,7 +210,6 @@ void Feeder::read_on(std::optional<Block> block) {
     if (const Move* move = std::get_if<Move>(&block->what)) {
       if (end && *end != start(move->path)) rest.push({Dwell{0}, block->source});
       end = softcnc::end(move->path);
-      travel_.add(*move);
     }
     rest.push(std::move(*block));
     while (rest.pop()) {

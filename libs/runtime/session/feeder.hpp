@@ -18,7 +18,6 @@
 #include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/motion_limit.hpp"
 #include "runtime/session/state_history.hpp"
-#include "runtime/session/travel_survey.hpp"
 #include "runtime/session/watcher.hpp"
 
 namespace softcnc::runtime {
@@ -73,10 +72,6 @@ class Feeder {
 
   /// How far the program has been read, in bytes from its beginning.
   std::uint64_t read_to() noexcept { return parser_.reader().place().offset; }
-  /// Where the moves that have been read go, also those behind an error.
-  const TravelSurvey& travel() const noexcept { return travel_; }
-  /// The state of the machine behind what has been read.
-  const MachineState& read_state() const noexcept { return interpreter_.state(); }
   std::vector<ipr::FoundFile> called_files() const { return interpreter_.called_files(); }
   const std::set<std::string>& missing_files() const noexcept {
     return interpreter_.missing_files();
@@ -114,7 +109,6 @@ class Feeder {
   bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
-  TravelSurvey travel_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
   MotionLimit limit_;

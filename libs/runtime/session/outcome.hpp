@@ -20,7 +20,6 @@
 #include "runtime/figures/surface_notes.hpp"
 #include "runtime/figures/time_sheet.hpp"
 #include "runtime/figures/worst_lines.hpp"
-#include "runtime/session/travel_survey.hpp"
 #include "runtime/sinks/curve_columns.hpp"
 
 namespace softcnc::runtime {
@@ -49,8 +48,6 @@ struct Outcome {
   std::vector<ColumnFigures> columns;  // of the curve columns of the rows
   std::size_t events_left = 0;         // of the script: their moments were never reached
   MachineState state;                  // where the machine rests, if ChannelOptions::keeps_state
-  TravelSurvey travel;                 // of all that was read, also behind an error
-  MachineState read_state;             // behind all that was read
   ipo::PlannerCounts planner;
   std::vector<ipr::FoundFile> called_files;
   std::set<std::string> missing_files;  // paths under which calls have found no file

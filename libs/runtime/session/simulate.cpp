@@ -325,8 +325,6 @@ Outcome Simulation::finish() {
   if (contour_) outcome_.contour = contour_->report();
   if (rows_) outcome_.columns = rows_->column_figures();
   outcome_.events_left = channel_.events_left();
-  outcome_.travel = channel_.feeder().travel();
-  outcome_.read_state = channel_.feeder().read_state();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.missing_files = channel_.feeder().missing_files();

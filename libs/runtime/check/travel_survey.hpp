@@ -5,9 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "motion/core/diagnostic.hpp"
 #include "motion/model/block.hpp"
-#include "motion/model/machine.hpp"
 
 namespace softcnc::runtime {
 
@@ -34,9 +32,5 @@ class TravelSurvey {
  private:
   std::map<int, TravelSpan> spans_;
 };
-
-/// Reports where a move that is not planned would leave the travel.
-void report_outside(const Move& move, SourcePos source, const Machine& machine,
-                    Diagnostics& diagnostics);
 
 }  // namespace softcnc::runtime

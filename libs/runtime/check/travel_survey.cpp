@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/session/travel_survey.hpp"
+#include "runtime/check/travel_survey.hpp"
 
 #include <algorithm>
-#include <utility>
 
-#include "ipo/path/travel.hpp"
 #include "motion/geometry/extent.hpp"
 
 namespace softcnc::runtime {
@@ -42,14 +40,6 @@ TravelSpan TravelSurvey::all() const noexcept {
     for (int i = 0; i < kAxes; ++i)
       if (!span.empty(i)) all.include(i, span.min[i], span.max[i]);
   return all;
-}
-
-void report_outside(const Move& move, SourcePos source, const Machine& machine,
-                    Diagnostics& diagnostics) {
-  auto outside = ipo::check_travel(move, machine);
-  if (!outside) return;
-  outside->pos = source;
-  diagnostics.report(std::move(*outside));
 }
 
 }  // namespace softcnc::runtime
