@@ -22,10 +22,10 @@ using IniNumber = IniFile::Number;
 using Sections = std::vector<std::string>;
 
 constexpr double kFarthestLimit = 1e5;  // mm: what lies beyond means no limit, such as 1e99
-
-constexpr double kNoLimit = 1e9;  // units a second or a square second: from here on it is none
+constexpr double kNoLimit = 1e9;        // units a second or a square second: likewise
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 std::string in_lower_case(std::string_view text) {
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(), lower);
@@ -165,12 +165,11 @@ void ConfigurationReader::take_best(const std::string& key, const Sections& sect
                                     double factor) {
   if (const auto number = best(sections, name, better)) set_limit(key, *number, factor);
 }
+
 void ConfigurationReader::set_limit(const std::string& key, const IniNumber& number,
                                     double factor) {
-  if (std::abs(number.value) < kNoLimit)
-    draft_.set(key, number.value * factor, number.at);
-  else
-    draft_.leave(number.at, "no limit");
+  if (std::abs(number.value) >= kNoLimit) return draft_.leave(number.at, "no limit");
+  draft_.set(key, number.value * factor, number.at);
 }
 
 void ConfigurationReader::take_limit(const std::string& key, const Sections& sections,

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "hal/files/folder_bounds.hpp"
 #include "hal/files/number.hpp"
 #include "hal/files/text_file.hpp"
 #include "hal/import/setting_value.hpp"
@@ -30,15 +31,6 @@ std::string source_of(const GivenAt& from) {
          std::to_string(from.pos.line) + ")";
 }
 
-/// Whether a file lies below a folder, whatever links lead there.
-bool is_below(const std::filesystem::path& file, const std::string& folder) {
-  std::error_code unreadable;
-  const auto root = std::filesystem::weakly_canonical(
-      std::filesystem::absolute(folder.empty() ? "." : folder, unreadable), unreadable);
-  const auto [end, at] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-  return !unreadable && end == root.end();
-}
-
 bool stands_before(const Diagnostic& a, const Diagnostic& b) {
   return std::tie(a.file, a.pos.line, a.pos.column) < std::tie(b.file, b.pos.line, b.pos.column);
 }
@@ -58,14 +50,14 @@ Result<std::string> MachineDraft::read_named_file(const std::string& file) {
     return tl::make_unexpected(
         Diagnostic{.code = Code::SC7037, .message = std::move(why), .file = file});
   };
-  std::error_code unreadable;
-  const auto whole =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(file, unreadable), unreadable);
-  const bool is_own = !unreadable && is_below(whole, folder_);
-  const auto holds = [&whole](const std::string& folder) { return is_below(whole, folder); };
-  if (!is_own && !std::any_of(allowed_.begin(), allowed_.end(), holds))
+  const auto lies_in = [real = real_path(file)](const std::string& folder) {
+    return is_in_folder(real, real_path(folder));
+  };
+  const bool is_own = lies_in(folder_);
+  if (!is_own && std::none_of(allowed_.begin(), allowed_.end(), lies_in))
     return refused("lies outside the folder of the settings; --allow-include DIR reads it");
   if (!is_own) unquoted_.insert(file);
+  std::error_code unreadable;
   const auto type = std::filesystem::status(file, unreadable).type();
   if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
     return refused("cannot be read: not a regular file");

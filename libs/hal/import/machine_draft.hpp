@@ -17,7 +17,6 @@ namespace softcnc::hal {
 
 class MachineDraft {
  public:
-  MachineDraft() = default;
   /// Files that settings name are read where they lie below `folder`, that of the settings, or
   /// below an allowed one.
   MachineDraft(std::string folder, std::vector<std::string> allowed)

@@ -2,10 +2,10 @@
 #include "hal/machine/machine_confinement.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
+
+#include "hal/files/folder_bounds.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -49,19 +49,6 @@ Diagnostic ignored(const OutsideKey& opening, std::string_view key, const GivenA
                      " is ignored unless --machine names the file: " + std::string(opening.without),
           .file = place.file,
           .source_line = place.line};
-}
-
-std::filesystem::path real_path(const std::string& path) {
-  std::error_code unreadable;
-  auto real = std::filesystem::weakly_canonical(path, unreadable);
-  if (unreadable) return std::filesystem::path(path).lexically_normal();
-  return real.has_filename() ? real : real.parent_path();
-}
-
-/// Whether a path is a folder or lies in it.
-bool is_in_folder(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  const auto differ = std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
-  return differ.second == folder.end();
 }
 
 /// Leaves only the folders of subprograms that lie in the folder of the machine file.

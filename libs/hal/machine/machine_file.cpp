@@ -9,6 +9,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "hal/files/folder_bounds.hpp"
 #include "hal/files/text_file.hpp"
 #include "hal/machine/device_keys.hpp"
 #include "hal/machine/machine_confinement.hpp"
@@ -48,14 +49,9 @@ LoadedOrErrors load_file(const std::string& file, std::span<const std::string> s
 
 /// Whether a link leads to a file that is not below the folder of the link.
 bool leads_out(const std::string& file) {
-  namespace fs = std::filesystem;
   std::error_code error;
-  if (!fs::is_symlink(file, error)) return false;
-  const fs::path parent = fs::path(file).parent_path();
-  const fs::path folder = fs::canonical(parent.empty() ? "." : parent, error);
-  const fs::path target = fs::canonical(file, error);
-  return error || std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first !=
-                      folder.end();
+  return std::filesystem::is_symlink(file, error) &&
+         !is_in_folder(real_path(file), real_path(std::filesystem::path(file).parent_path()));
 }
 
 /// A file that nobody has named is neither waited for nor passed over.
