@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands/help_page.hpp"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "messages/messages.hpp"
+
 namespace softcnc::app {
 namespace {
 
@@ -22,16 +23,15 @@ constexpr std::size_t kEasilyRead = 100;  // columns at most
 
 /// Columns of standard output; without end where it is no terminal.
 std::size_t width_of_output() {
-  winsize size{};
   if (::isatty(STDOUT_FILENO) == 0) return std::numeric_limits<std::size_t>::max();
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-  return std::clamp<std::size_t>(size.ws_col, kNarrowest, kEasilyRead);
+  return std::clamp(terminal_width(STDOUT_FILENO), kNarrowest, kEasilyRead);
 }
 
-/// Returns the text in lines of so many columns at most, the first of which begins at `at` and the
-/// others at kNames.
-std::string wrapped(std::string_view text, std::size_t width, std::size_t at) {
+/// Returns the text, which begins at column kNames, in lines that do too, of so many columns at
+/// most.
+std::string wrapped(std::string_view text, std::size_t width) {
   std::string lines;
+  std::size_t at = kNames;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     if (at > kNames && end + at > width) {
@@ -58,7 +58,7 @@ class WrappingFormatter final : public CLI::Formatter {
       names += '\n' + std::string(kNames, ' ');
     else
       names.resize(kNames, ' ');
-    return names + wrapped(make_option_desc(option), width_, kNames) + '\n';
+    return names + wrapped(make_option_desc(option), width_) + '\n';
   }
 
   /// One blank line before each group, where CLI11 puts two.
@@ -83,7 +83,7 @@ class WrappingFormatter final : public CLI::Formatter {
   std::size_t width_ = width_of_output();
 };
 
-/// A group of options, and the long names or the positionals of those in it.
+/// A group of options, by their long names.
 struct Group {
   std::string_view title;
   std::string_view names;  // each between blanks

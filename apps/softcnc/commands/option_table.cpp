@@ -311,15 +311,9 @@ void import_words(CLI::App& app, const OptionEntry& entry, Options& options) {
 }
 
 /// A folder that is not there is a name that is wrong.
-void subprograms(CLI::App& app, const OptionEntry& entry, Options& options) {
-  app.add_option(entry.names, options.subprogram_folders, entry.help)
-      ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
-      ->type_name(entry.value)
-      ->allow_extra_args(false);
-}
-
-void allowed_folders(CLI::App& app, const OptionEntry& entry, Options& options) {
-  app.add_option(entry.names, options.allowed_folders, entry.help)
+template <auto Member>
+void folders(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.*Member, entry.help)
       ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
       ->type_name(entry.value)
       ->allow_extra_args(false);
@@ -596,7 +590,7 @@ constexpr OptionEntry kOptions[] = {
      "DIR",
      "With import: read files that the settings name from DIR too, not from their own folder alone "
      "(repeatable)",
-     allowed_folders},
+     folders<&Options::allowed_folders>},
     {{run},
      "--state",
      "FILE.toml",
@@ -614,7 +608,7 @@ constexpr OptionEntry kOptions[] = {
     {kReads, "--subprograms", "DIR",
      "Look for called files in DIR too, after the folder of the program and before program.path "
      "(repeatable)",
-     subprograms},
+     folders<&Options::subprogram_folders>},
     {kReads, "--define", "NAME=VALUE",
      "Set a variable before the first line, for example _td=3 for #<_td>, or 100=3 for #100 "
      "(repeatable)",

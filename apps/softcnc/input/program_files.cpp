@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+
+#include "hal/files/suffix.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -16,11 +17,9 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 7> kSuffixes{".nc", ".ngc", ".tap", ".gcode",
                                                     ".gc", ".cnc", ".eia"};
 
-bool is_program(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+bool is_program(const std::string& file) {
+  return std::ranges::any_of(
+      kSuffixes, [&](std::string_view suffix) { return hal::has_suffix(file, suffix); });
 }
 
 Result<std::vector<std::string>> programs_below(const std::string& folder) {
@@ -28,7 +27,7 @@ Result<std::vector<std::string>> programs_below(const std::string& folder) {
   std::error_code error;
   auto at = fs::recursive_directory_iterator(folder, error);
   for (; !error && at != fs::recursive_directory_iterator(); at.increment(error))
-    if (std::error_code ignored; at->is_regular_file(ignored) && is_program(at->path()))
+    if (std::error_code ignored; at->is_regular_file(ignored) && is_program(at->path().string()))
       found.push_back(at->path().string());
   if (error)
     return tl::make_unexpected(Diagnostic{

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <set>
@@ -24,6 +25,9 @@ inline constexpr int kSignalled = 128;
 
 /// Returns whether colours may be used: on a terminal, unless NO_COLOR is set.
 bool colourful(int descriptor);
+
+/// Returns how many columns a terminal has; 80 where it does not say.
+std::size_t terminal_width(int descriptor);
 
 /// Shows diagnostics as they come and keeps the first of them for a report.
 class Messages {

@@ -2,7 +2,6 @@
 #include "messages/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
 #include "process/standard_error.hpp"
 
 namespace softcnc::app {
@@ -19,11 +19,6 @@ namespace {
 constexpr auto kBetweenDrawings = std::chrono::milliseconds(100);
 constexpr std::size_t kLargestBar = 40;
 constexpr double kTells = 0.02;  // of the work, which tells how long the rest takes
-
-std::size_t screen_width() {
-  winsize size{};
-  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 std::string bar(double part, std::size_t width) {
   const auto full = static_cast<std::size_t>(part * static_cast<double>(width));
@@ -88,8 +83,8 @@ void Progress::draw() {
   if (part() > 0) {
     text = fmt::format(" {:3.0f} %{}", std::floor(100 * part()), text);
     if (part() >= kTells) text += fmt::format("  {} left", duration_text(time_left()));
-    const std::size_t width =
-        screen_width() - std::min(screen_width(), label_.size() + text.size() + 5);
+    const std::size_t columns = terminal_width(STDERR_FILENO);
+    const std::size_t width = columns - std::min(columns, label_.size() + text.size() + 5);
     if (width > 4) text = bar(part(), std::min(width, kLargestBar)) + text;
   } else {
     text = fmt::format("{}  {} so far", text, duration_text(time_));
@@ -103,7 +98,7 @@ void Progress::write_json(bool done) const {
   if (total_ > 0) {
     row["total_s"] = total_;
   }
-  if (part() > 0) row["percent"] = 100 * part();
+  if (total_ > 0 || part() > 0) row["percent"] = 100 * part();
   if (done) row["done"] = true;
   display_on_stderr(row.dump() + '\n');
 }

@@ -38,6 +38,12 @@ std::string said_of(const Diagnostic& first) {
   return common.empty() ? first.message : fmt::format("an arc ends off its circle, and {}", common);
 }
 
+/// Puts an error about the whole program in place of the first one within it.
+void replace(Diagnostic& error, Diagnostic of_program) {
+  of_program.file = std::move(error.file);
+  error = std::move(of_program);
+}
+
 /// E of an extruder, on every line of a program for a 3-D printer.
 bool is_unused_word(const Diagnostic& diagnostic) {
   return diagnostic.code == Code::SC2004 && diagnostic.message.starts_with("E ");
@@ -97,15 +103,13 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
     language.see(line, number);
   if (!language.found()) return false;
   foreign_ = true;
-  error.code = Code::SC2383;
-  error.pos = {language.line(), 1,
-               static_cast<int>(std::max(language.text().size(), std::size_t{1}))};
-  error.message = fmt::format(
-      "the program is made for {}; softcnc reads G-code as LinuxCNC and "
-      "FANUC's controls do",
-      language.control());
-  error.source_line = language.text();
-  error.calls.clear();
+  replace(error, {.code = Code::SC2383,
+                  .pos = {language.line(), 1,
+                          static_cast<int>(std::max(language.text().size(), std::size_t{1}))},
+                  .message = fmt::format("the program is made for {}; softcnc reads G-code as "
+                                         "LinuxCNC and FANUC's controls do",
+                                         language.control()),
+                  .source_line = language.text()});
   return true;
 }
 
@@ -115,11 +119,9 @@ bool RepeatedErrors::is_no_text(Diagnostic& error) {
   const std::string_view kind = kind_of_binary(first);
   if (kind.empty()) return false;
   foreign_ = true;
-  error.code = Code::SC1060;
-  error.pos = {1, 0, 1};
-  error.message = fmt::format("the file is {}, not a part program", kind);
-  error.source_line.clear();
-  error.calls.clear();
+  replace(error, {.code = Code::SC1060,
+                  .pos = {1, 0, 1},
+                  .message = fmt::format("the file is {}, not a part program", kind)});
   return true;
 }
 
