@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "apps/shell.hpp"
 
+#include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -96,6 +98,31 @@ Trace parse_trace(const std::string& text) {
       trace.rows.push_back(split(line));
   }
   return trace;
+}
+
+Ended on_terminal(const std::string& command, const std::string& answer) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  Ended ended;
+  std::array<char, 4096> piece{};
+  const std::string prompt = "press Enter ";
+  for (ssize_t n = 0; (n = ::read(terminal, piece.data(), piece.size())) > 0;) {
+    ended.out.append(piece.data(), static_cast<std::size_t>(n));
+    if (!ended.out.ends_with(prompt)) continue;
+    if (answer == kHangUp) break;
+    CHECK(::write(terminal, answer.data(), answer.size()) == static_cast<ssize_t>(answer.size()));
+  }
+  if (answer == kHangUp) ::close(terminal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (answer != kHangUp) ::close(terminal);
+  ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return ended;
 }
 
 }  // namespace softcnc::app::test

@@ -27,6 +27,12 @@ inline Ended call(const std::string& arguments, const std::string& input = {}) {
   return shell("$softcnc " + arguments, input);
 }
 
+/// An answer that closes the terminal at the first prompt.
+inline const std::string kHangUp;
+
+/// Runs a shell command on a terminal of its own; answers each prompt.
+Ended on_terminal(const std::string& command, const std::string& answer = "\n");
+
 /// A new empty folder, removed with all it holds.
 class Folder {
  public:

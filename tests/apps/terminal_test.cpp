@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 // At a terminal: the bar, and Enter where the program waits.
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
@@ -13,34 +8,6 @@
 using namespace softcnc::app::test;
 
 namespace {
-
-const std::string kHangUp;
-
-/// Runs a shell command on a terminal of its own; answers each prompt.
-Ended on_terminal(const std::string& command, const std::string& answer = "\n") {
-  int terminal = -1;
-  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    ::_exit(127);
-  }
-  Ended ended;
-  std::array<char, 4096> piece{};
-  const std::string prompt = "press Enter ";
-  for (ssize_t n = 0; (n = ::read(terminal, piece.data(), piece.size())) > 0;) {
-    ended.out.append(piece.data(), static_cast<std::size_t>(n));
-    if (!ended.out.ends_with(prompt)) continue;
-    if (answer == kHangUp) break;
-    CHECK(::write(terminal, answer.data(), answer.size()) == static_cast<ssize_t>(answer.size()));
-  }
-  if (answer == kHangUp) ::close(terminal);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  if (answer != kHangUp) ::close(terminal);
-  ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return ended;
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

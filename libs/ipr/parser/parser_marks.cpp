@@ -33,14 +33,22 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return following != std::string_view::npos && line[following] == '[';
 }
 
-/// Of LinuxCNC's number of a spindle; dashes of texts.
+/// Of LinuxCNC's number of a spindle; what looks like a character of programs.
 std::string meant_by(std::string_view mark, Lexer lexer) {
   if (mark == "$") return "; no spindle can be chosen, there is one";
-  constexpr std::array<std::string_view, 6> kMinus{"\u2010", "\u2011", "\u2012",
-                                                   "\u2013", "\u2014", "\u2212"};
-  if (std::find(kMinus.begin(), kMinus.end(), mark) != kMinus.end()) return "; a minus sign is '-'";
+  if (const char meant = look_alike(mark); meant != 0)
+    return meant == '-' ? "; a minus sign is '-'"
+                        : std::string("; in ASCII it is ") + meant;
   const bool angle = mark == "," && lexer.peek() == 'A';
   return angle ? "; the angle of a line is not supported" : "";
+}
+
+/// `X10mm`: the letters after a number are those of a unit.
+bool is_unit(std::string_view line, const Token& letter) {
+  constexpr std::array<std::string_view, 4> kUnits{"MM", "IN", "INCH", "CM"};
+  std::string letters(letters_at(line, letter));
+  for (char& c : letters) c = upper_case(c);
+  return std::find(kUnits.begin(), kUnits.end(), letters) != kUnits.end();
 }
 
 /// FANUC's orders to a device that takes down what a program says.
@@ -138,12 +146,16 @@ void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
   const bool in_number = has_word_before(letter.column);
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
   const bool one = is_small_l(line_.text, instead) || (in_number && is_small_l(line_.text, letter));
+  const bool unit = in_number && is_unit(line_.text, letter);
+  const bool sinumerik = instead.kind == Kind::macro && text_of(line_.text, instead) == "=";
   if (in_number) lose_word_before();
   give_up(Code::SC1002, letter.column, 1,
           std::string("no number after ") + letter.letter +
-              (zero  ? kLetterForDigit
-               : one ? kLetterForOne
-                     : ""));
+              (zero        ? kLetterForDigit
+               : one       ? kLetterForOne
+               : unit      ? "; G20 (inch) and G21 (mm) choose the unit"
+               : sinumerik ? "; '=' is read by Sinumerik's controls"
+                           : ""));
 }
 
 /// Whether one ends right before it.

@@ -20,6 +20,32 @@ std::size_t zeros_at(std::string_view text, std::size_t place) {
   return end - std::min(place, end);
 }
 
+/// The number of a character beyond ASCII, of its bytes in UTF-8.
+unsigned code_point(std::string_view character) noexcept {
+  unsigned point =
+      static_cast<unsigned char>(character.front()) & (0xFFU >> (character.size() + 1));
+  for (const char c : character.substr(1))
+    point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+  return point;
+}
+
+struct LookAlike {
+  char32_t character;
+  char ascii;
+};
+
+/// Dashes, then capital letters of Greek and of Cyrillic (Unicode's list of confusable characters).
+constexpr std::array kLookAlikes = std::to_array<LookAlike>(
+    {{U'\u2010', '-'}, {U'\u2011', '-'}, {U'\u2012', '-'}, {U'\u2013', '-'}, {U'\u2014', '-'},
+     {U'\u2212', '-'}, {U'\u0391', 'A'}, {U'\u0392', 'B'}, {U'\u0395', 'E'}, {U'\u0396', 'Z'},
+     {U'\u0397', 'H'}, {U'\u0399', 'I'}, {U'\u039A', 'K'}, {U'\u039C', 'M'}, {U'\u039D', 'N'},
+     {U'\u039F', 'O'}, {U'\u03A1', 'P'}, {U'\u03A4', 'T'}, {U'\u03A5', 'Y'}, {U'\u03A7', 'X'},
+     {U'\u0405', 'S'}, {U'\u0406', 'I'}, {U'\u0408', 'J'}, {U'\u0410', 'A'}, {U'\u0412', 'B'},
+     {U'\u0415', 'E'}, {U'\u041A', 'K'}, {U'\u041C', 'M'}, {U'\u041D', 'H'}, {U'\u041E', 'O'},
+     {U'\u0420', 'P'}, {U'\u0421', 'C'}, {U'\u0422', 'T'}, {U'\u0423', 'Y'}, {U'\u0425', 'X'}});
+/// The ASCII characters in the width of East Asian ones follow one another.
+constexpr unsigned kFirstWide = 0xFF01, kLastWide = 0xFF5E, kFirstAscii = 0x21;
+
 }  // namespace
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -40,11 +66,18 @@ std::string character_name(std::string_view character) {
     std::snprintf(text.data(), text.size(), "byte 0x%02X", byte);
     return text.data();
   }
-  unsigned point = byte & (0xFFU >> (character.size() + 1));
-  for (const char c : character.substr(1))
-    point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
-  std::snprintf(text.data(), text.size(), " (U+%04X)", point);
+  std::snprintf(text.data(), text.size(), " (U+%04X)", code_point(character));
   return in_quotes(character) + text.data();
+}
+
+char look_alike(std::string_view character) noexcept {
+  if (character.size() < 2) return 0;
+  const unsigned point = code_point(character);
+  if (point >= kFirstWide && point <= kLastWide)
+    return static_cast<char>(point - kFirstWide + kFirstAscii);
+  const auto* const found = std::find_if(kLookAlikes.begin(), kLookAlikes.end(),
+                                         [&](const LookAlike& l) { return l.character == point; });
+  return found == kLookAlikes.end() ? '\0' : found->ascii;
 }
 
 std::string_view wide_encoding(std::string_view first_line) {
