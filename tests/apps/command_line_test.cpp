@@ -103,7 +103,11 @@ TEST_CASE("check takes folders and reads the programs below them", "[apps][check
                     last = ended.out.find("a/b/1.NGC:1:1");
   CHECK((first != ended.out.npos && last != ended.out.npos && first < last));
   CHECK_FALSE(shows(ended.out, "notes.txt"));
-  CHECK(shows(call("check " + (folder / "empty")).err, "the folder holds no part program"));
+  CHECK(shows(call("check " + (folder / "empty")).out, "the folder holds no part program"));
+  const Ended beside = call("check " + (folder / "empty") + " $data/two_errors.nc");
+  CHECK(beside.status == 5);
+  CHECK(shows(beside.out, "two_errors.nc:... error: "));
+  CHECK(shows(call("check --diagnostics json " + (folder / "empty")).out, "SC6001"));
 }
 
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {

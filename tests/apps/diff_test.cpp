@@ -261,19 +261,21 @@ TEST_CASE("aspects are test cases of a JUnit file", "[apps][diff]") {
   CHECK(xml.starts_with(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"softcnc "
       "diff\" tests=\"6\" failures=\"1\" errors=\"0\" skipped=\"4\" time=\"0.000\">\n"
-      "    <testcase classname=\"softcnc diff\" name=\"time\"><failure message=\"time differs by "
+      "    <testcase classname=\"" +
+      a + " and " + b +
+      "\" name=\"time\"><failure message=\"time differs by "
       "0.49 s, and 0.0052 s are allowed\" type=\"time\">"));
-  CHECK(xml.find("    <testcase classname=\"softcnc diff\" name=\"path\"/>\n") != xml.npos);
+  CHECK(xml.find(" and " + b + "\" name=\"path\"/>\n") != xml.npos);
   CHECK(xml.find("name=\"speed\"><skipped message=\"not judged\"/></testcase>") != xml.npos);
   CHECK(call("diff " + a + " " + b + " --junit " + a).status == 2);
 }
 
 TEST_CASE("XML holds any text", "[apps][diff]") {
   TestCase test{"a<&>\"b\x01\xFF", TestResult::error, "two\nlines", "SC1", "<x>", 1.5};
-  CHECK(junit_xml("s", {test}) ==
+  CHECK(junit_xml("s", "c", {test}) ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"s\" "
         "tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.500\">\n"
-        "    <testcase classname=\"s\" name=\"a&lt;&amp;&gt;&quot;b\xEF\xBF\xBD\xEF\xBF\xBD\" "
+        "    <testcase classname=\"c\" name=\"a&lt;&amp;&gt;&quot;b\xEF\xBF\xBD\xEF\xBF\xBD\" "
         "time=\"1.500\"><error message=\"two&#10;lines\" type=\"SC1\">&lt;x&gt;</error>"
         "</testcase>\n  </testsuite>\n</testsuites>\n");
 }

@@ -164,13 +164,14 @@ TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
   pack(file, held);
   const Ended ended = call("replay " + file);
   CHECK(ended.status == 1);
-  CHECK(ended.out.starts_with(file + ": row 321 differs\n"));
+  CHECK(ended.out.starts_with(file + ": row 321 differs\n"));  // its trace does not fit its hash
   CHECK(ended.out.find("\n! x_mm ") != std::string::npos);
   CHECK(ended.out.find("\n  y_mm ") != std::string::npos);
   CHECK(ended.out.find(trace.word(320, "x_mm") + "  -0.0025\n") != std::string::npos);
   CHECK(
       shows(ended.err,
-            ".rec: error: row 321 differs: at 0.32 s, line ..., x_mm is ... in the recording "
+            ".rec: error: row 321 "
+            "differs: at 0.32 s, line ..., x_mm is ... in the recording "
             "and ... here; a different path, or a different part of it: the tool is 0.0025 mm away "
             "[SC6023]\n"));
 }
@@ -188,7 +189,8 @@ TEST_CASE("a difference is a diagnostic for programs, too", "[apps][recording]")
   CHECK(list[0]["code"] == "SC6023");
   const std::string message = list[0]["message"];
   CHECK(shows(message,
-              "row 1 differs: at 0 s, line ..., a_mm_s2 is ... in the recording and ... "
+              "takes ... s instead of ... s (+... %), ... path; row 1 differs: at 0 s, line ..., "
+              "a_mm_s2 is ... in the recording and ... "
               "here; the tool is in the same place"));
   const json sarif = json::parse(call(slower + " --diagnostics sarif").err);
   const json& result = sarif["runs"][0]["results"][0];

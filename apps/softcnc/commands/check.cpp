@@ -73,8 +73,8 @@ int check_program(const std::string& name, const Machine& machine,
   return checked.status;
 }
 
-int check_all(const Options& options, Shown& out, Messages& messages, Terminal& terminal,
-              std::vector<std::string>& called) {
+int check_all(const Options& options, const ProgramFiles& programs, Shown& out, Messages& messages,
+              Terminal& terminal, std::vector<std::string>& called) {
   auto state = open_state(options, messages);
   if (!state) return messages.fail(state.error());
   MachineCache machines(options, messages);
@@ -83,7 +83,9 @@ int check_all(const Options& options, Shown& out, Messages& messages, Terminal& 
   channel.state = std::move(*state);
   channel.interpreter.stop = terminal.stop();
   int status = 0;
-  for (const std::string& name : options.files) {
+  for (const Diagnostic& error : programs.errors)
+    status = worse_status(status, messages.fail(error));
+  for (const std::string& name : programs.names) {
     if (!out.ok() || terminal.signal() != 0) break;
     const Machine* machine = machines.of(name);
     if (!machine) continue;
@@ -109,7 +111,8 @@ std::string counts(const Messages& messages) {
 }
 
 /// All files once, in the form asked for. Those that they call are watched, too.
-Checked check_once(const Options& options, Terminal& terminal, FileWatch* changes) {
+Checked check_once(const Options& options, const ProgramFiles& programs, Terminal& terminal,
+                   FileWatch* changes) {
   Shown out(options.diagnostics);
   const auto write = [&](std::string_view text) {
     terminal.end();
@@ -120,7 +123,7 @@ Checked check_once(const Options& options, Terminal& terminal, FileWatch* change
                           ? Messages(*document)
                           : Messages(write, colourful(STDOUT_FILENO), ::isatty(STDOUT_FILENO) != 0);
   std::vector<std::string> called;
-  const int status = check_all(options, out, messages, terminal, called);
+  const int status = check_all(options, programs, out, messages, terminal, called);
   if (changes) changes->also(called);
   if (document)
     document->finish(status);
@@ -130,20 +133,22 @@ Checked check_once(const Options& options, Terminal& terminal, FileWatch* change
 }
 
 /// Machine files beside programs are watched before they are there.
-std::vector<std::string> files_of(const Options& options) {
-  std::vector<std::string> files = options.files;
-  for (const std::string& part : options.files)
+std::vector<std::string> files_of(const Options& options, const ProgramFiles& programs) {
+  std::vector<std::string> files = programs.names;
+  for (const std::string& part : programs.names)
     if (!options.names_machine) files.push_back(name_beside(part));
   for (const std::string& file : {options.machine_file, options.state})
     if (!file.empty()) files.push_back(file);
   return files;
 }
 
-int check_again_and_again(const Options& options, Terminal& terminal) {
-  auto changes = FileWatch::open(files_of(options));
+int check_again_and_again(const Options& options, const ProgramFiles& programs,
+                          Terminal& terminal) {
+  auto changes = FileWatch::open(files_of(options, programs));
   if (!changes) return failed(changes.error());
   do {
-    if (const Checked checked = check_once(options, terminal, &*changes); checked.written != 0)
+    if (const Checked checked = check_once(options, programs, terminal, &*changes);
+        checked.written != 0)
       return checked.written;
   } while (changes->wait(terminal.signals()));
   return kSignalled + terminal.signal();
@@ -151,15 +156,11 @@ int check_again_and_again(const Options& options, Terminal& terminal) {
 
 }  // namespace
 
-int check(const Options& given) {
-  Options options = given;
-  if (auto found = programs_in(given.files))
-    options.files = std::move(*found);
-  else
-    return failed(found.error());
+int check(const Options& options) {
+  const ProgramFiles programs = programs_in(options.files);
   Terminal terminal(options.progress, false, Machine().control.period);
-  if (options.watch) return check_again_and_again(options, terminal);
-  const Checked checked = check_once(options, terminal, nullptr);
+  if (options.watch) return check_again_and_again(options, programs, terminal);
+  const Checked checked = check_once(options, programs, terminal, nullptr);
   if (checked.written != 0) return checked.written;
   return terminal.signal() != 0 ? kSignalled + terminal.signal() : checked.status;
 }

@@ -31,8 +31,9 @@ bool is_worth_showing(const runtime::RunDifference& difference, const Options& o
 int write_junit(const Options& options, const ComparedPair& pair) {
   if (options.junit.empty()) return 0;
   clear_leftovers(options.junit);
-  const Status written =
-      hal::write_file(options.junit, junit_xml("softcnc diff", difference_cases(pair)));
+  const Status written = hal::write_file(
+      options.junit,
+      junit_xml("softcnc diff", pair.a.name + " and " + pair.b.name, difference_cases(pair)));
   if (!written) return failed(written.error());
   spdlog::info("JUnit report written to {}", options.junit);
   return 0;

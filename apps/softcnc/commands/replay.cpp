@@ -78,8 +78,8 @@ void ReplayJob::show(const ReplayResult& result, bool found) {
 int ReplayJob::write_junit() const {
   if (options_.junit.empty()) return 0;
   clear_leftovers(options_.junit);
-  const Status written =
-      hal::write_file(options_.junit, junit_xml("softcnc replay", replay_cases(results_)));
+  const Status written = hal::write_file(
+      options_.junit, junit_xml("softcnc replay", "softcnc replay", replay_cases(results_)));
   if (!written) return failed(written.error());
   spdlog::info("JUnit report written to {}", options_.junit);
   return 0;

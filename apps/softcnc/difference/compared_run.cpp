@@ -16,17 +16,6 @@
 namespace softcnc::app {
 namespace {
 
-Status read_recording(const std::string& file, runtime::RowStore& rows) {
-  const auto recording = Recording::open(file);
-  if (!recording) return tl::make_unexpected(recording.error());
-  if (Status good = recording->check_trace(); !good) return good;
-  auto trace = recording->trace();
-  if (!trace) return tl::make_unexpected(std::move(trace.error()));
-  const auto facts = runtime::read_trace(std::move(*trace), file, rows);
-  if (!facts) return tl::make_unexpected(facts.error());
-  return rows.finish(facts->period);
-}
-
 Status read_trace_file(const std::string& file, runtime::RowStore& rows) {
   const auto facts = runtime::read_trace(file, rows);
   if (!facts) return tl::make_unexpected(facts.error());
@@ -65,6 +54,17 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
 }
 
 }  // namespace
+
+Status read_recording(const std::string& file, runtime::RowStore& rows) {
+  const auto recording = Recording::open(file);
+  if (!recording) return tl::make_unexpected(recording.error());
+  if (Status good = recording->check_trace(); !good) return good;
+  auto trace = recording->trace();
+  if (!trace) return tl::make_unexpected(std::move(trace.error()));
+  const auto facts = runtime::read_trace(std::move(*trace), file, rows);
+  if (!facts) return tl::make_unexpected(facts.error());
+  return rows.finish(facts->period);
+}
 
 Result<ComparedRun> read_compared(const std::string& file, const Options& options,
                                   Messages& messages, Terminal& terminal) {

@@ -19,6 +19,9 @@ struct ComparedRun {
   int status = 0;  // exit status; other than 0: what is wrong has been shown, and nothing compared
 };
 
+/// Reads the rows of a recording, and ends them. Errors: SC6003, SC60xx of reading.
+Status read_recording(const std::string& file, runtime::RowStore& rows);
+
 /// Reads a trace, or that of a recording, or runs a program as `run --dry-run` does. What is wrong
 /// with a program is shown, and is in the status. Errors: those of reading, SC60xx and SC70xx.
 Result<ComparedRun> read_compared(const std::string& file, const Options& options,

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "hal/files/suffix.hpp"
+#include "motion/core/result.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -22,6 +24,10 @@ bool is_program(const std::string& file) {
       kSuffixes, [&](std::string_view suffix) { return hal::has_suffix(file, suffix); });
 }
 
+Diagnostic folder_error(const std::string& folder, std::string message) {
+  return {.code = Code::SC6001, .message = std::move(message), .file = folder};
+}
+
 Result<std::vector<std::string>> programs_below(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code error;
@@ -29,31 +35,27 @@ Result<std::vector<std::string>> programs_below(const std::string& folder) {
   for (; !error && at != fs::recursive_directory_iterator(); at.increment(error))
     if (std::error_code ignored; at->is_regular_file(ignored) && is_program(at->path().string()))
       found.push_back(at->path().string());
-  if (error)
-    return tl::make_unexpected(Diagnostic{
-        .code = Code::SC6001, .message = "cannot read it: " + error.message(), .file = folder});
+  if (error) return tl::make_unexpected(folder_error(folder, "cannot read it: " + error.message()));
   if (found.empty())
-    return tl::make_unexpected(Diagnostic{
-        .code = Code::SC6001,
-        .message = "the folder holds no part program (.nc, .ngc, .tap, .gcode, .gc, .cnc, .eia)",
-        .file = folder});
+    return tl::make_unexpected(folder_error(
+        folder, "the folder holds no part program (.nc, .ngc, .tap, .gcode, .gc, .cnc, .eia)"));
   std::sort(found.begin(), found.end());
   return found;
 }
 
 }  // namespace
 
-Result<std::vector<std::string>> programs_in(const std::vector<std::string>& names) {
-  std::vector<std::string> files;
+ProgramFiles programs_in(const std::vector<std::string>& names) {
+  ProgramFiles files;
   for (const std::string& name : names) {
     std::error_code ignored;
     if (!fs::is_directory(name, ignored)) {
-      files.push_back(name);
-      continue;
+      files.names.push_back(name);
+    } else if (auto below = programs_below(name)) {
+      files.names.insert(files.names.end(), below->begin(), below->end());
+    } else {
+      files.errors.push_back(below.error());
     }
-    auto below = programs_below(name);
-    if (!below) return below;
-    files.insert(files.end(), below->begin(), below->end());
   }
   return files;
 }

@@ -71,16 +71,17 @@ std::string time_of(const std::optional<double>& seconds) {
   return seconds ? fmt::format(" time=\"{:.3f}\"", *seconds) : std::string();
 }
 
-std::string case_xml(const std::string& suite, const TestCase& test) {
+std::string case_xml(const std::string& class_name, const TestCase& test) {
   const std::string inside = content(test);
-  const std::string head = "    <testcase" + attribute("classname", suite) +
+  const std::string head = "    <testcase" + attribute("classname", class_name) +
                            attribute("name", test.name) + time_of(test.seconds);
   return inside.empty() ? head + "/>\n" : head + ">" + inside + "</testcase>\n";
 }
 
 }  // namespace
 
-std::string junit_xml(const std::string& suite, const std::vector<TestCase>& cases) {
+std::string junit_xml(const std::string& suite, const std::string& class_name,
+                      const std::vector<TestCase>& cases) {
   const auto count = [&](TestResult result) {
     return std::count_if(cases.begin(), cases.end(),
                          [&](const TestCase& test) { return test.result == result; });
@@ -92,7 +93,7 @@ std::string junit_xml(const std::string& suite, const std::vector<TestCase>& cas
       count(TestResult::failed), count(TestResult::error), count(TestResult::skipped), seconds);
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite" +
                     attribute("name", suite) + counts + ">\n";
-  for (const TestCase& test : cases) xml += case_xml(suite, test);
+  for (const TestCase& test : cases) xml += case_xml(class_name, test);
   return xml + "  </testsuite>\n</testsuites>\n";
 }
 

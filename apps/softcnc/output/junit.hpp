@@ -20,7 +20,9 @@ struct TestCase {
   std::optional<double> seconds = {};
 };
 
-/// Returns a document with one suite. Characters that XML cannot hold become U+FFFD.
-std::string junit_xml(const std::string& suite, const std::vector<TestCase>& cases);
+/// Returns a document with one suite. `class_name` tells its cases from those of other documents,
+/// which services join. Characters that XML cannot hold become U+FFFD.
+std::string junit_xml(const std::string& suite, const std::string& class_name,
+                      const std::vector<TestCase>& cases);
 
 }  // namespace softcnc::app

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "difference/compared_run.hpp"
+#include "difference/difference_text.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/trace/trace_csv.hpp"
@@ -16,6 +18,7 @@
 #include "messages/messages.hpp"
 #include "recording/recording.hpp"
 #include "recording/trace_comparison.hpp"
+#include "runtime/history/run_rows.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 #include "runtime/sinks/trace_rows.hpp"
@@ -69,6 +72,19 @@ void compare_machines(const std::string& name, const Material& material) {
       name, material.recording.meta().machine_hash, hal::hash_hex(here));
 }
 
+/// What a difference comes to for somebody who waits for the part, and for the part.
+std::string effect_text(const runtime::RunDifference& difference) {
+  const runtime::TimePair& time = difference.time;
+  std::string text = difference.of(runtime::Aspect::time).same
+                         ? fmt::format("takes {:.6g} s as recorded", time.a)
+                         : fmt::format("takes {:.6g} s instead of {:.6g} s ({:+.3g} %)", time.b,
+                                       time.a, time.a > 0 ? 100 * time.difference() / time.a : 0);
+  if (difference.of(runtime::Aspect::path).same) return text + ", on the same path";
+  if (!difference.distance) return text;
+  return text + fmt::format(", up to {} off the recorded path",
+                            amount(runtime::Aspect::path, difference.distance->distance));
+}
+
 /// What a run has come to.
 struct Rerun {
   int status = 0;  // exit status
@@ -88,8 +104,9 @@ class Replay {
  private:
   Status compare();
   Status judge(const Material& material, const TraceComparison& comparison);
+  Status add_effect();
   Status bless();
-  Rerun run_again(Material& material, runtime::TraceRows& rows, Terminal& terminal);
+  Rerun run_again(Material& material, runtime::RowSink& rows, Terminal& terminal);
   void fail(Diagnostic error);
 
   std::string file_, label_;
@@ -100,6 +117,8 @@ class Replay {
 ReplayResult Replay::run() {
   const auto begin = std::chrono::steady_clock::now();
   if (Status compared = compare(); !compared) fail(std::move(compared.error()));
+  if (result_.end == ReplayEnd::differs && result_.status == 0)
+    if (Status added = add_effect(); !added) fail(std::move(added.error()));
   const bool blesses = options_.bless && result_.end == ReplayEnd::differs && result_.status == 0;
   if (blesses)
     if (Status blessed = bless(); !blessed) fail(std::move(blessed.error()));
@@ -121,7 +140,7 @@ void Replay::fail(Diagnostic error) {
 }
 
 /// Runs the program; its rows go to `rows`.
-Rerun Replay::run_again(Material& material, runtime::TraceRows& rows, Terminal& terminal) {
+Rerun Replay::run_again(Material& material, runtime::RowSink& rows, Terminal& terminal) {
   const double period = material.machine.control.period;
   terminal.begin(label_, static_cast<double>(material.recording.meta().rows - 1) * period);
   Messages messages([&terminal] { terminal.end(); });
@@ -188,6 +207,26 @@ Status Replay::judge(const Material& material, const TraceComparison& comparison
     result_.end = ReplayEnd::agrees;
   else
     result_.message = "its program has errors";
+  return {};
+}
+
+/// Another run, compared as a whole: what the difference means comes before the row that shows it.
+Status Replay::add_effect() {
+  runtime::RowStore recorded, here;
+  if (!read_recording(file_, recorded)) return {};  // a damaged trace differs in its row alone
+  auto material = open_material(file_, options_);
+  if (!material) return tl::make_unexpected(std::move(material.error()));
+  const double period = material->machine.control.period;
+  Terminal terminal(options_.progress, false, period);
+  runtime::RunRows rows(here, false);
+  const Rerun rerun = run_again(*material, rows, terminal);
+  result_.status = worse_status(result_.status, rerun.status);
+  if (rerun.status != 0) return {};
+  if (Status kept = here.finish(period); !kept) return kept;
+  const std::string effect =
+      effect_text(runtime::compare(recorded, here, runtime::replay_margins()));
+  result_.message = effect + "; " + result_.message;
+  result_.table = effect + '\n' + result_.table;
   return {};
 }
 
