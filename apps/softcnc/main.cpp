@@ -2,6 +2,7 @@
 // Where it starts: the command line chooses a command.
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <exception>
@@ -59,6 +60,14 @@ void set_up_signals() {
   handle_out_of_memory();
 }
 
+/// Each file that a program calls is kept open: the usual 1024 may be too few for large programs.
+void allow_many_files() noexcept {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 int dispatch(const Options& options) {
   switch (options.command) {
     case CommandName::run:
@@ -98,6 +107,7 @@ int dispatch(const Options& options) {
 int main(int argc, char** argv) {
   occupy_standard_descriptors();
   set_up_signals();
+  allow_many_files();
   const auto parsed = parse_command_line(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const auto& options = std::get<Options>(parsed);

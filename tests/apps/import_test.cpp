@@ -37,7 +37,7 @@ TEST_CASE("a machine file is written where -o says, with settings on top", "[app
 }
 
 TEST_CASE("settings of other controls become machines on which programs run", "[apps][import]") {
-  for (const char* settings : {"mill.ini", "router.txt", "mill.tbl"}) {
+  for (const char* settings : {"mill.ini", "router.txt", "fluidnc.yaml", "mill.tbl"}) {
     CAPTURE(settings);
     const Folder folder;
     const std::string mill = folder / "m.toml";

@@ -136,3 +136,17 @@ TEST_CASE("named globals of the state are read, and written back", "[apps][subpr
           0);
   CHECK(read(folder / "s.toml").ends_with("\n[parameter]\n_td = 11\n"));
 }
+
+TEST_CASE("a program may call more files than a process usually opens", "[apps][subprograms]") {
+  const Folder folder;
+  std::string program;
+  for (int i = 0; i < 100; ++i) {
+    const std::string name = "s" + std::to_string(i);
+    program += "o<" + name + "> call\n";
+    write(folder / (name + ".ngc"), "o<" + name + "> sub\nG0 X1\no<" + name + "> endsub\n");
+  }
+  write(folder / "main.nc", program + "M2\n");
+  const Ended ended = shell("ulimit -Sn 64; $softcnc check " + (folder / "main.nc"));
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings of LinuxCNC and grbl as machine files.
+// Settings of LinuxCNC, grbl and FluidNC as machine files.
 #include "hal/import/import_machine.hpp"
 
 #include <catch2/catch.hpp>
@@ -149,6 +149,68 @@ TEST_CASE("what is wrong with grbl's settings is reported at its place", "[hal][
   CHECK(shows(all_of(twice.notes),
               "g:2:6: warning: $100 is given twice; the last line counts "
               "[SC7036]"));
+}
+
+TEST_CASE("a configuration of FluidNC becomes a machine", "[hal][import]") {
+  const std::string axes =
+      "axes:\n  x:\n    steps_per_mm: 80\n    max_rate_mm_per_min: 3000.5\n"
+      "    acceleration_mm_per_sec2: 250\n    max_travel_mm: 300\n    homing:\n"
+      "      positive_direction: false\n      mpos_mm: -5\n    motor0:\n      null_motor:\n"
+      "  y:\n    max_travel_mm: 200\n    homing:\n      mpos_mm: 3\n"
+      "  z:\n    max_travel_mm: 100\n  a:\n    steps_per_mm: 3\n";
+  const Made mill =
+      made_of("router.yaml", "name: \"Router: 1\"\n" + axes +
+                                 "junction_deviation_mm: 0.02\narc_tolerance_mm: 0.003\n"
+                                 "stepping:\n  pulse_us: 4\n  dir_delay_us: 0\n"
+                                 "kinematics:\n  Cartesian:\nPWM:\n  speed_map: 0=0% 24000=100%\n");
+  const Machine& m = mill.read;
+  CHECK(m.name == "Router: 1");
+  CHECK(m.axes[0].blu == Approx(0.0125));
+  CHECK(m.axes[0].velocity == Approx(3000.5 / 60));
+  CHECK(m.axes[0].acceleration == 250);
+  CHECK(m.axes[0].min == -5);  // it homes downward, to -5
+  CHECK(m.axes[0].max == 295);
+  CHECK(m.axes[1].min == -197);  // upward, to 3
+  CHECK(m.axes[1].max == 3);
+  CHECK(m.axes[2].min == -100);  // it does not home: zero is where it was switched on
+  CHECK(m.axes[2].max == 100);
+  CHECK(m.control.corner_tolerance == Approx(0.02));
+  CHECK(m.control.chord_tolerance == Approx(0.003));
+  CHECK(m.control.backend == BackendKind::none);
+  CHECK(m.spindle.max_rpm == 24000);
+  CHECK(m.step_port.step_length == Approx(4e-6));
+  CHECK(has(mill.machine, "blu_um = 12.5  # steps_per_mm: 80 ("));
+  CHECK(has(mill.machine, "#   steps_per_mm: 3 ("));
+  CHECK(made_of("config.txt", axes).read.axes[0].max == 295);  // known by its axes
+}
+
+TEST_CASE("what is wrong with a configuration of FluidNC is reported at its place",
+          "[hal][import]") {
+  CHECK(refused_import("f.yaml",
+                       "axes:\n  x:\n    steps_per_mm: 0\n    max_travel_mm: long\n"
+                       "    max_rate_mm_per_min: -1\n") ==
+        "f.yaml:3:19: error: axes/x/steps_per_mm needs a number above 0, not '0' [SC7035]\n"
+        "f.yaml:4:20: error: axes/x/max_travel_mm needs a number, not 'long' [SC7035]\n"
+        "f.yaml:5:26: error: axes/x/max_rate_mm_per_min needs a number above 0, not '-1' "
+        "[SC7035]\n");
+  CHECK(shows(refused_import("f.yaml", "axes:\n  x: {steps_per_mm: 80\n"),
+              "f.yaml:2:1: error: this is no YAML: ... [SC7034]\n"));
+  CHECK(shows(refused_import("f.yaml", "kinematics:\n  CoreXY:\naxes:\n"),
+              "error: ... (kinematics/CoreXY); softcnc moves Cartesian machines [SC7034]\n"));
+  const Made twice = made_of("f.yaml", "axes:\n  x:\n    max_travel_mm: 1\n    max_travel_mm: 2\n");
+  CHECK(twice.read.axes[0].max == 2);
+  CHECK(shows(all_of(twice.notes), "f.yaml:4:20: warning: axes/x/max_travel_mm is given twice"));
+}
+
+TEST_CASE("nothing of a hostile configuration is expanded", "[hal][import]") {
+  std::string aliases = "a0: &a0 [x, x]\n";
+  for (int i = 1; i < 60; ++i)
+    aliases += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" +
+               std::to_string(i - 1) + ", *a" + std::to_string(i - 1) + "]\n";
+  CHECK(made_of("f.yaml", aliases + "axes:\n  x:\n    max_travel_mm: 2\n").read.axes[0].max == 2);
+  CHECK(shows(refused_import("f.yaml", "axes:\n" + std::string(1'000'000, '[')),
+              "this is no YAML: "));
+  CHECK(shows(refused_import("f.yaml", "axes: *nowhere\n"), "this is no YAML: "));
 }
 
 TEST_CASE("a configuration of LinuxCNC becomes a machine", "[hal][import]") {

@@ -19,6 +19,7 @@ const Keepers kKeepers{
     {"zstd.h", {"hal/files"}},
     {"xxhash.h", {"hal/files"}},
     {"zip.h", {"hal/files"}},
+    {"yaml-cpp/", {"hal/import"}},
     {"linux/", {"hal/ports"}},
     {"thread", {"surface", "runtime/realtime"}},
     {"spdlog/", {}},
@@ -33,6 +34,7 @@ const Keepers kKeepers{
 const Keepers kLeftToLibraries{{"toml++/", {}},
                                {"xxhash.h", {}},
                                {"zip.h", {}},
+                               {"yaml-cpp/", {}},
                                {"linux/", {}},
                                {"cairo", {"softcnc/pictures"}}};
 

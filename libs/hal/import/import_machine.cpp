@@ -6,6 +6,7 @@
 
 #include "hal/files/suffix.hpp"
 #include "hal/files/text_file.hpp"
+#include "hal/import/fluidnc_configuration.hpp"
 #include "hal/import/grbl_settings.hpp"
 #include "hal/import/linuxcnc_configuration.hpp"
 #include "hal/import/machine_draft.hpp"
@@ -15,7 +16,7 @@
 namespace softcnc::hal {
 namespace {
 
-enum class Kind : std::uint8_t { unknown, tool_table, configuration, grbl };
+enum class Kind : std::uint8_t { unknown, tool_table, configuration, grbl, fluidnc };
 
 bool begins_with_section(std::string_view text) {
   for (const std::string& line : setting_lines(text)) {
@@ -31,6 +32,7 @@ Kind kind_of(const std::string& file, std::string_view text) {
   if (has_suffix(file, ".tbl")) return Kind::tool_table;
   if (has_suffix(file, ".ini")) return Kind::configuration;
   if (is_grbl_settings(text)) return Kind::grbl;
+  if (is_fluidnc_configuration(text)) return Kind::fluidnc;
   if (is_tool_table(text)) return Kind::tool_table;
   return begins_with_section(text) ? Kind::configuration : Kind::unknown;
 }
@@ -66,13 +68,16 @@ tl::expected<ImportedMachine, std::vector<Diagnostic>> import_text(const std::st
     case Kind::grbl:
       take_grbl_settings(text, file, draft);
       return draft.finish(file, made_from(file, "the settings of grbl in"));
+    case Kind::fluidnc:
+      take_fluidnc_configuration(text, file, draft);
+      return draft.finish(file, made_from(file, "the configuration of FluidNC"));
     case Kind::unknown:
       break;
   }
   return refused({.code = Code::SC7032,
                   .message =
                       "is neither a tool table nor a configuration of LinuxCNC, nor a list of "
-                      "settings of grbl",
+                      "settings of grbl or a configuration of FluidNC",
                   .file = file});
 }
 

@@ -25,7 +25,8 @@ struct ImportedMachine {
 };
 
 /// Reads settings: a tool table (.tbl) or a configuration (.ini) of LinuxCNC, with the files that
-/// it names, or what grbl answers to `$$`; the suffix decides, or the first lines do. The machine
+/// it names, what grbl answers to `$$`, or a configuration of FluidNC; the suffix decides, or
+/// the lines do. The machine
 /// file names the setting behind each value, and lists at its end what has no key. It has the
 /// backend "none" unless the file is a tool table: settings know nothing of the motors. Errors,
 /// with line and column of the setting: SC7032 to SC7035, and those of the values, SC7005 and
