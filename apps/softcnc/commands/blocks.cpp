@@ -3,10 +3,10 @@
 #include "commands/commands.hpp"
 #include "job/preflight.hpp"
 #include "messages/messages.hpp"
-#include "messages/repeated_errors.hpp"
 #include "messages/standard_output.hpp"
 #include "output/block_json.hpp"
 #include "runtime/program/each_block.hpp"
+#include "runtime/run/repeated_errors.hpp"
 #include "settings/machine_choice.hpp"
 #include "settings/machine_memory.hpp"
 
@@ -19,7 +19,7 @@ int write_blocks(runtime::Program& program, const Machine& machine, const Option
   auto state = open_state(options, messages);
   if (!state) return messages.fail(state.error());
   const ipr::InterpreterOptions reading = interpreter_options(options, program.folder());
-  ShownOnce shown(program, reading, messages.sink(program));
+  runtime::ShownOnce shown(program, reading, messages.sink(program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();

@@ -13,7 +13,6 @@
 #include "job/terminal.hpp"
 #include "messages/duration_text.hpp"
 #include "messages/messages.hpp"
-#include "messages/repeated_errors.hpp"
 #include "motion/core/units.hpp"
 #include "output/summary.hpp"
 #include "output/surface_file.hpp"
@@ -21,9 +20,8 @@
 #include "runtime/cutting/cutting_rows.hpp"
 #include "runtime/cutting/surface_grid.hpp"
 #include "runtime/figures/cpu_clock.hpp"
-#include "runtime/session/axis_alarm.hpp"
-#include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
+#include "runtime/run/repeated_errors.hpp"
+#include "runtime/run/run.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 #include "surface/ideal_surface.hpp"
 
@@ -46,7 +44,6 @@ class SurfaceJob {
   int fail(const Diagnostic& diagnostic) { return messages_.fail(diagnostic); }
   int read();
   int move();
-  int judge(const runtime::Outcome& outcome, Diagnostics& diagnostics);
   int report(const surface::RoughnessMap& map);
   int cut(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
@@ -66,7 +63,7 @@ class SurfaceJob {
 /// time of the run, and before that the size of the surface is known, and whether it can be cut at
 /// all.
 int SurfaceJob::read() {
-  ShownOnce shown(job_.program, job_.options.interpreter, messages_.sink(job_.program));
+  runtime::ShownOnce shown(job_.program, job_.options.interpreter, messages_.sink(job_.program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   cutting_ =
@@ -82,34 +79,23 @@ int SurfaceJob::move() {
   if (options_.actual) machine.control.backend = BackendKind::sim;
   auto backend = hal::open_backend(machine);
   if (!backend) return fail(backend.error());
-  const auto show = messages_.sink(job_.program);
-  Diagnostics diagnostics([&](const Diagnostic& diagnostic) {
-    if (static_cast<int>(diagnostic.code) >= kOfPlanning) show(diagnostic);
-  });
-  diagnostics.set_file(job_.program.name());
   runtime::CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
                             runtime::row_columns(**backend));
-  ipr::Reader reader = job_.program.reader();
   terminal_.begin("running", 0, job_.program.size());
-  const runtime::Outcome outcome =
-      runtime::simulate(reader, job_.program.descriptor(), machine, job_.options, **backend,
-                        diagnostics, &rows, &terminal_);
+  const runtime::JudgedRun judged =
+      runtime::run({job_.program, machine, job_.options, **backend, &rows, &terminal_},
+                   [show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
+                     if (static_cast<int>(diagnostic.code) >= kOfPlanning) show(diagnostic);
+                   });
   terminal_.end();
   auto track = rows.finish();
   if (!track) return fail(track.error());
   track_ = std::move(*track);
-  return judge(outcome, diagnostics);
-}
-
-int SurfaceJob::judge(const runtime::Outcome& outcome, Diagnostics& diagnostics) {
-  if (runtime::is_of_axis(outcome.feedback.alarm))
-    diagnostics.report(runtime::alarm_diagnostic(outcome));
-  if (outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
-    runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
-  if (outcome.end == runtime::Outcome::End::stopped) return stopped();
+  if (judged.outcome.end == runtime::Outcome::End::stopped) return stopped();
   spdlog::debug("{} of machine time: CPU {:.3f} s planning, {:.3f} s cycle",
-                duration_text(outcome.time), outcome.cpu.planning, outcome.cpu.cycle);
-  return diagnostics.status();
+                duration_text(judged.outcome.time), judged.outcome.cpu.planning,
+                judged.outcome.cpu.cycle);
+  return judged.status;
 }
 
 int SurfaceJob::cut(hal::OutputFile& output) {

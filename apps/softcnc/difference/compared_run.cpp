@@ -5,13 +5,11 @@
 
 #include "hal/backends/backend.hpp"
 #include "job/job.hpp"
-#include "messages/repeated_errors.hpp"
 #include "recording/recording.hpp"
 #include "runtime/check/check.hpp"
 #include "runtime/history/read_trace.hpp"
 #include "runtime/history/run_rows.hpp"
-#include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
+#include "runtime/run/run.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -35,22 +33,15 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
   job->options.interpreter.stop = terminal.stop();
   terminal.begin(file, 0, job->program.size());
   terminal.begin_run(0, period);
-  ShownOnce shown(job->program, job->options.interpreter, messages.sink(job->program));
-  Diagnostics diagnostics(shown.sink());
-  diagnostics.set_file(job->program.name());
-  ipr::Reader reader = job->program.reader();
   runtime::RunRows sink(rows, false);
-  const runtime::Outcome outcome =
-      runtime::simulate(reader, job->program.descriptor(), job->machine, job->options, **backend,
-                        diagnostics, &sink, &terminal);
+  const runtime::JudgedRun judged =
+      runtime::run({job->program, job->machine, job->options, **backend, &sink, &terminal},
+                   messages.sink(job->program));
   terminal.end();
-  shown.finish();
-  if (outcome.end == runtime::Outcome::End::stopped)
-    return worse_status(diagnostics.status(), kSignalled + terminal.signal());
-  if (diagnostics.errors() == 0)
-    runtime::report_excess(outcome.measured, outcome.deviation, job->machine, diagnostics);
+  if (judged.outcome.end == runtime::Outcome::End::stopped)
+    return worse_status(judged.status, kSignalled + terminal.signal());
   if (Status kept = rows.finish(period); !kept) return tl::make_unexpected(kept.error());
-  return diagnostics.status();
+  return judged.status;
 }
 
 }  // namespace

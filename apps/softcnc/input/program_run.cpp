@@ -7,24 +7,13 @@
 #include <cmath>
 
 #include "hal/backends/backend.hpp"
-#include "messages/repeated_errors.hpp"
 #include "motion/core/units.hpp"
 #include "runtime/history/run_rows.hpp"
-#include "runtime/session/axis_alarm.hpp"
-#include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
+#include "runtime/run/run.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 
 namespace softcnc::app {
 namespace {
-
-/// The motion of a program with errors ends with the last good block.
-Ending ending_of(const runtime::Outcome& outcome, int errors) {
-  using End = runtime::Outcome::End;
-  if (outcome.end == End::alarm) return Ending::alarm;
-  if (errors > 0 || outcome.end == End::broken_off) return Ending::error;
-  return outcome.end == End::stopped ? Ending::stopped : Ending::done;
-}
 
 std::vector<RunFigure> contour_figures(const runtime::Outcome& outcome) {
   if (!outcome.contour || outcome.contour->cutting.instants == 0) return {};
@@ -76,26 +65,19 @@ std::optional<std::string> text_of(const ipr::Snapshot& snapshot) {
 }
 
 /// The files that lines or diagnostics name, by number; the program itself first.
-std::vector<ReportedFile> files_of(runtime::Program& program, const Diagnostics& diagnostics,
+std::vector<ReportedFile> files_of(runtime::Program& program, const std::vector<std::string>& names,
                                    const std::vector<runtime::LineTime>& lines) {
   std::vector<ReportedFile> files{{program.name(), program_text(program)}};
   int last = 0;
   for (const runtime::LineTime& line : lines) last = std::max(last, line.file);
   program.called().close();
   for (int i = 1; i <= last; ++i) {
-    ReportedFile& file = files.emplace_back(ReportedFile{diagnostics.file(i), std::nullopt});
+    ReportedFile& file =
+        files.emplace_back(ReportedFile{names[static_cast<std::size_t>(i)], std::nullopt});
     const auto& found = program.called().find(file.name);
     if (found && *found) file.text = text_of(**found);
   }
   return files;
-}
-
-/// Reports an alarm of an axis, and where the rows exceed a limit.
-void judge(const runtime::Outcome& outcome, const Machine& machine, Diagnostics& diagnostics) {
-  if (runtime::is_of_axis(outcome.feedback.alarm))
-    diagnostics.report(runtime::alarm_diagnostic(outcome));
-  if (outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
-    runtime::report_excess(outcome.measured, outcome.deviation, machine, diagnostics);
 }
 
 void take_figures(const runtime::Outcome& outcome, ReportedRun& run) {
@@ -129,27 +111,20 @@ Result<ReportedRun> run_program(Job& job, Terminal& terminal, Messages& messages
   run.period = machine.control.period;
   run.history = std::make_unique<runtime::RunHistory>(run.period, &machine);
   runtime::RunRows rows(*run.history, runtime::knows_contour(**backend));
-  ShownOnce shown(job.program, job.options.interpreter,
-                  [&, show = messages.sink(job.program)](const Diagnostic& one) {
-                    show(one);
-                    run.diagnostics.push_back(one);
-                  });
-  Diagnostics diagnostics(shown.sink());
-  diagnostics.set_file(job.program.name());
   job.options.line_times = true;
   job.options.interpreter.stop = terminal.stop();
-  ipr::Reader reader = job.program.reader();
-  const runtime::Outcome outcome =
-      runtime::simulate(reader, job.program.descriptor(), machine, job.options, **backend,
-                        diagnostics, &rows, &terminal);
+  const runtime::JudgedRun judged =
+      runtime::run({job.program, machine, job.options, **backend, &rows, &terminal},
+                   [&, show = messages.sink(job.program)](const Diagnostic& one) {
+                     show(one);
+                     run.diagnostics.push_back(one);
+                   });
   terminal.end();
   run.history->finish();
-  judge(outcome, machine, diagnostics);
-  shown.finish();
-  take_figures(outcome, run);
-  run.files = files_of(job.program, diagnostics, run.lines);
-  run.ending = ending_of(outcome, diagnostics.errors());
-  run.status = diagnostics.status();
+  take_figures(judged.outcome, run);
+  run.files = files_of(job.program, judged.files, run.lines);
+  run.ending = judged.ending;
+  run.status = judged.status;
   return run;
 }
 

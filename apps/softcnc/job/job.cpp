@@ -42,9 +42,4 @@ Result<Job> open_job(const Options& options) {
   return job;
 }
 
-std::string_view name(Ending ending) noexcept {
-  constexpr std::array<std::string_view, 4> names{"done", "stopped", "alarm", "error"};
-  return names[static_cast<std::size_t>(ending)];
-}
-
 }  // namespace softcnc::app

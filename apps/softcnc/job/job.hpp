@@ -3,15 +3,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/realtime/realtime_cycle.hpp"
+#include "runtime/run/judge.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/outcome.hpp"
 #include "settings/options.hpp"
@@ -27,8 +26,7 @@ struct Job {
 };
 Result<Job> open_job(const Options& options);
 
-enum class Ending : std::uint8_t { done, stopped, alarm, error };
-std::string_view name(Ending ending) noexcept;
+using runtime::Ending;
 
 /// A file that a run has left, under its final name.
 struct WrittenFile {

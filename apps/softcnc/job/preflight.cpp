@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "messages/repeated_errors.hpp"
+#include "runtime/run/repeated_errors.hpp"
 
 namespace softcnc::app {
 
@@ -45,7 +45,7 @@ runtime::ChannelOptions channel_options(const Options& options, const std::strin
 Preflight preflight(runtime::Program& program, const Machine& machine,
                     const runtime::ChannelOptions& options, Messages& messages,
                     runtime::Watcher* watcher, runtime::CheckNotes notes) {
-  ShownOnce errors(program, options.interpreter, messages.sink(program));
+  runtime::ShownOnce errors(program, options.interpreter, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;

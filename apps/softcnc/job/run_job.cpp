@@ -12,11 +12,8 @@
 #include "job/run_diagnostics.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
-#include "messages/repeated_errors.hpp"
 #include "runtime/check/corner_cost.hpp"
-#include "runtime/session/axis_alarm.hpp"
-#include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
+#include "runtime/run/run.hpp"
 #include "runtime/sinks/trace_rows.hpp"
 #include "settings/file_clash.hpp"
 
@@ -56,9 +53,7 @@ class JobRunner {
   void run(hal::Backend& backend, runtime::TraceRows& rows);
   bool in_real_time() const;
   hal::Patience patience() const;
-  void judge(Diagnostics& diagnostics, const AxisVector& command_velocity);
-  void judge_lag(const std::array<double, kAxes>& misfit);
-  void judge_contour();
+  void add_corner_cost();
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
   void close(runtime::TraceRows& rows, const std::string& trace);
@@ -112,48 +107,39 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
   return std::move(result_);
 }
 
-/// After a pre-flight only errors are news.
+/// After a pre-flight only errors are news, and what a run without the backend could not know.
 Diagnostics::Sink JobRunner::sink() {
   return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
-    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
+    const bool is_news =
+        diagnostic.severity() == Severity::error || runtime::is_of_backend(diagnostic.code);
+    if (options_.dry_run || is_news) show(diagnostic);
   };
 }
 
 void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
-  ShownOnce shown(job_.program, job_.options.interpreter, sink());
-  Diagnostics diagnostics(shown.sink());
-  diagnostics.set_file(job_.program.name());
-  ipr::Reader reader = job_.program.reader();
   std::optional<runtime::RealtimeCycle> realtime;
   if (in_real_time()) realtime.emplace(backend, job_.machine.control.period, &rows);
-  result_.outcome =
-      runtime::simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend,
-                        diagnostics, &rows, &terminal_, realtime ? &*realtime : nullptr);
+  runtime::JudgedRun judged = runtime::run({job_.program, job_.machine, job_.options, backend,
+                                            &rows, &terminal_, realtime ? &*realtime : nullptr},
+                                           sink());
   terminal_.end();
-  shown.finish();
+  result_.outcome = std::move(judged.outcome);
+  result_.ending = judged.ending;
+  result_.status = judged.status;
   if (realtime) result_.punctuality = realtime->punctuality();
   result_.following_error = backend.following_error_max();
   result_.settled = backend.settle();
-  judge_lag(backend.lag_misfit());
-  judge_contour();
-  judge(diagnostics, backend.command_velocity_max());
+  if (options_.dry_run && result_.ending == Ending::done) add_corner_cost();
+  if (result_.outcome.end == runtime::Outcome::End::stopped)
+    result_.status = worse_status(result_.status, kSignalled + terminal_.signal());
   if (realtime) judge_punctuality();
 }
 
-/// The model of the axes is a promise about where they are.
-void JobRunner::judge_lag(const std::array<double, kAxes>& misfit) {
-  double fastest = 0;
-  if (const auto& contour = result_.outcome.contour)
-    fastest = contour->cutting.instants > 0 ? contour->cutting.fastest : contour->rapids.fastest;
-  for (const Diagnostic& found : lag_misfits(job_.machine, misfit, fastest, job_.program.name()))
-    messages_.show(found);
-}
-
-void JobRunner::judge_contour() {
-  if (!result_.outcome.contour) return;
-  if (const auto found =
-          contour_excess(job_.machine, *result_.outcome.contour, job_.program.name()))
-    messages_.show(*found);
+void JobRunner::add_corner_cost() {
+  Diagnostics diagnostics(messages_.sink(job_.program));
+  diagnostics.set_file(job_.program.name());
+  runtime::report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome, &terminal_,
+                              diagnostics);
 }
 
 /// A parallel port keeps a clock of its own.
@@ -167,32 +153,6 @@ hal::Patience JobRunner::patience() const {
   constexpr int kOfTheClock = 200;  // ms
   const bool waits = !in_real_time() && !is_real(job_.machine.control.backend);
   return {terminal_.stop(), waits ? -1 : kOfTheClock};
-}
-
-void JobRunner::judge(Diagnostics& diagnostics, const AxisVector& command_velocity) {
-  const runtime::Outcome& outcome = result_.outcome;
-  if (runtime::is_of_axis(outcome.feedback.alarm))
-    diagnostics.report(runtime::alarm_diagnostic(outcome));
-  const bool at_rest =
-      outcome.end == runtime::Outcome::End::done || outcome.end == runtime::Outcome::End::stopped;
-  if (at_rest && diagnostics.errors() == 0)
-    runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
-  if (at_rest && diagnostics.errors() == 0)
-    runtime::report_command_excess(command_velocity, job_.machine, diagnostics);
-  if (options_.dry_run && outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
-    runtime::report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome,
-                                &terminal_, diagnostics);
-  result_.status = diagnostics.status();
-  if (outcome.end == runtime::Outcome::End::alarm)
-    result_.ending = Ending::alarm;
-  else if (diagnostics.errors() > 0 || outcome.end == runtime::Outcome::End::broken_off)
-    result_.ending = Ending::error;
-  else if (outcome.end == runtime::Outcome::End::stopped)
-    result_.ending = Ending::stopped;
-  else
-    result_.ending = Ending::done;
-  if (outcome.end == runtime::Outcome::End::stopped)
-    result_.status = worse_status(result_.status, kSignalled + terminal_.signal());
 }
 
 /// Without the rights nothing was promised.

@@ -19,7 +19,7 @@
 #include "recording/recording.hpp"
 #include "recording/trace_comparison.hpp"
 #include "runtime/history/run_rows.hpp"
-#include "runtime/session/simulate.hpp"
+#include "runtime/run/run.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 #include "runtime/sinks/trace_rows.hpp"
 
@@ -85,13 +85,6 @@ std::string effect_text(const runtime::RunDifference& difference) {
                             amount(runtime::Aspect::path, difference.distance->distance));
 }
 
-/// What a run has come to.
-struct Rerun {
-  int status = 0;  // exit status
-  runtime::Outcome outcome;
-  int errors = 0;
-};
-
 class Replay {
  public:
   Replay(std::string file, std::string label, const Options& options)
@@ -106,7 +99,7 @@ class Replay {
   Status judge(const Material& material, const TraceComparison& comparison);
   Status add_effect();
   Status bless();
-  Rerun run_again(Material& material, runtime::RowSink& rows, Terminal& terminal);
+  runtime::JudgedRun run_again(Material& material, runtime::RowSink& rows, Terminal& terminal);
   void fail(Diagnostic error);
 
   std::string file_, label_;
@@ -140,27 +133,30 @@ void Replay::fail(Diagnostic error) {
 }
 
 /// Runs the program; its rows go to `rows`.
-Rerun Replay::run_again(Material& material, runtime::RowSink& rows, Terminal& terminal) {
+runtime::JudgedRun Replay::run_again(Material& material, runtime::RowSink& rows,
+                                     Terminal& terminal) {
   const double period = material.machine.control.period;
   terminal.begin(label_, static_cast<double>(material.recording.meta().rows - 1) * period);
   Messages messages([&terminal] { terminal.end(); });
-  Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
-    if (d.severity() == Severity::error) show(d);  // the rest was reported when it was recorded
-  });
-  diagnostics.set_file(material.program.name());
-  ipr::Reader reader = material.program.reader();
   runtime::ChannelOptions options = material.recording.meta().options;
   options.interpreter.folder = material.program.folder();
   options.interpreter.subprogram_folders =
       material.recording.folders_of_called(material.program.folder());
   options.interpreter.called = &material.program.called();
   options.interpreter.stop = terminal.stop();
-  Rerun rerun;
-  rerun.outcome = runtime::simulate(reader, material.program.descriptor(), material.machine,
-                                    options, *material.backend, diagnostics, &rows, &terminal);
+  runtime::JudgedRun rerun =
+      runtime::run({.program = material.program,
+                    .machine = material.machine,
+                    .options = options,
+                    .backend = *material.backend,
+                    .rows = &rows,
+                    .watcher = &terminal,
+                    .is_judged = false},
+                   [show = messages.sink(material.program)](const Diagnostic& d) {
+                     if (d.severity() == Severity::error)
+                       show(d);  // the rest was reported when it was recorded
+                   });
   terminal.end();
-  rerun.errors = diagnostics.errors();
-  rerun.status = diagnostics.status();
   if (rerun.outcome.end == runtime::Outcome::End::stopped)
     rerun.status = worse_status(rerun.status, kSignalled + terminal.signal());
   return rerun;
@@ -178,7 +174,7 @@ Status Replay::compare() {
       comparison_sink(comparison), runtime::trace_header(material->program, material->machine),
       material->machine, runtime::row_columns(*material->backend)));
   Terminal terminal(options_.progress, false, material->machine.control.period);
-  const Rerun rerun = run_again(*material, rows, terminal);
+  const runtime::JudgedRun rerun = run_again(*material, rows, terminal);
   result_.status = rerun.status;
   if (rerun.status >= kSignalled) return {};
   const bool stopped = rerun.outcome.end == runtime::Outcome::End::stopped;
@@ -219,7 +215,7 @@ Status Replay::add_effect() {
   const double period = material->machine.control.period;
   Terminal terminal(options_.progress, false, period);
   runtime::RunRows rows(here, false);
-  const Rerun rerun = run_again(*material, rows, terminal);
+  const runtime::JudgedRun rerun = run_again(*material, rows, terminal);
   result_.status = worse_status(result_.status, rerun.status);
   if (rerun.status != 0) return {};
   if (Status kept = here.finish(period); !kept) return kept;
@@ -240,7 +236,7 @@ Status Replay::bless() {
       runtime::compressed_trace(*trace, material->program, material->machine, *material->backend);
   if (!rows) return tl::make_unexpected(std::move(rows.error()));
   Terminal terminal(options_.progress, false, material->machine.control.period);
-  const Rerun rerun = run_again(*material, *rows, terminal);
+  const runtime::JudgedRun rerun = run_again(*material, *rows, terminal);
   result_.status = worse_status(result_.status, rerun.status);
   if (rerun.status >= kSignalled) return {};
   if (Status finished = rows->finish(); !finished) return finished;

@@ -106,6 +106,8 @@ class Diagnostics {
   const std::string& file() const noexcept { return files_.front(); }
   /// Adds a further file that the program calls; returns its SourcePos::file.
   int add_file(std::string file);
+  /// Returns the program and the files that it calls, by SourcePos::file.
+  std::vector<std::string> files() const { return {files_.begin(), files_.end()}; }
   const std::string& file(int index) const { return files_[static_cast<std::size_t>(index)]; }
 
   /// Enters a call of another program from `place`; what is reported while lines are held is

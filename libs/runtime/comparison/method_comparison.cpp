@@ -10,8 +10,7 @@
 #include "hal/backends/backend.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "runtime/comparison/compared_figure.hpp"
-#include "runtime/session/axis_alarm.hpp"
-#include "runtime/session/simulate.hpp"
+#include "runtime/run/run.hpp"
 
 namespace softcnc::runtime {
 namespace {
@@ -67,14 +66,12 @@ void MethodComparison::run(Watcher* watcher, double delay, Outcome& outcome) {
     return;
   }
   options_.first_cut_delay = delay;
-  Diagnostics diagnostics([this](const Diagnostic& diagnostic) {
-    if (!error_ && diagnostic.severity() == Severity::error) error_ = diagnostic;
-  });
-  diagnostics.set_file(program_.name());
-  ipr::Reader reader = program_.reader();
-  outcome = simulate(reader, program_.descriptor(), machine_, options_, **backend, diagnostics,
-                     nullptr, watcher);
-  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  JudgedRun judged = runtime::run({program_, machine_, options_, **backend, nullptr, watcher},
+                                  [this](const Diagnostic& diagnostic) {
+                                    if (!error_ && diagnostic.severity() == Severity::error)
+                                      error_ = diagnostic;
+                                  });
+  outcome = std::move(judged.outcome);
 }
 
 std::string MethodComparison::note() const {

@@ -14,7 +14,7 @@
 #include "motion/core/diagnostic.hpp"
 #include "runtime/program/program.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 
 /// One error for one cause: an axis that the machine does not have, a code that is not known, a
 /// whole program in the language of another control. Of any other error with the same text the
@@ -23,7 +23,7 @@ class RepeatedErrors {
  public:
   /// `program` supplies its first lines and must outlive it; without one no language is looked for.
   /// `options` are those it is read with.
-  RepeatedErrors(runtime::Program* program, const ipr::InterpreterOptions& options)
+  RepeatedErrors(Program* program, const ipr::InterpreterOptions& options)
       : program_(program), dialect_(options.dialect), guessed_(options.guess_dialect) {}
 
   /// Counts an error, or a warning of a line that is never run, whose cause has been shown, and
@@ -57,7 +57,7 @@ class RepeatedErrors {
   bool is_of_known_cause(const Diagnostic& error);
   bool is_of_frequent_code(const Diagnostic& error);
 
-  runtime::Program* program_;
+  Program* program_;
   ipr::Dialect dialect_;
   bool guessed_;
   std::vector<Cause> causes_;
@@ -69,8 +69,7 @@ class RepeatedErrors {
 /// Shows what `errors` does not take, and with finish() its notes.
 class ShownOnce {
  public:
-  ShownOnce(runtime::Program& program, const ipr::InterpreterOptions& options,
-            Diagnostics::Sink show)
+  ShownOnce(Program& program, const ipr::InterpreterOptions& options, Diagnostics::Sink show)
       : errors_(&program, options), show_(std::move(show)) {}
   Diagnostics::Sink sink();
   void finish();
@@ -80,4 +79,4 @@ class ShownOnce {
   Diagnostics::Sink show_;
 };
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

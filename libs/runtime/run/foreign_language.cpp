@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "messages/foreign_language.hpp"
+#include "runtime/run/foreign_language.hpp"
 
 #include <fnmatch.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 namespace {
 
 constexpr int kEnough = 3;  // weights of marks
@@ -149,4 +149,4 @@ std::string_view ForeignLanguage::control() const noexcept { return kControlName
 int ForeignLanguage::line() const noexcept { return evidence_[best()].line; }
 const std::string& ForeignLanguage::text() const noexcept { return evidence_[best()].text; }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 
 /// Sees the lines of a program one by one. Several marks of one control count, each once; or one
 /// that no other has.
@@ -38,4 +38,4 @@ class ForeignLanguage {
 /// part program.
 std::string_view kind_of_binary(std::string_view first_line);
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

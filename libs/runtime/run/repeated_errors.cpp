@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "messages/repeated_errors.hpp"
+#include "runtime/run/repeated_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "ipr/dialects/dialect_guess.hpp"
-#include "messages/foreign_language.hpp"
+#include "runtime/run/foreign_language.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 namespace {
 
 constexpr std::size_t kMostCauses = 1000;  // those after them are shown line by line
@@ -179,4 +179,4 @@ void ShownOnce::finish() {
   for (const Diagnostic& note : errors_.notes()) show_(note);
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime
