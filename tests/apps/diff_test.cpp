@@ -138,33 +138,56 @@ TEST_CASE("differences are shown as a table with the first row that differs", "[
   const Ended ended = call("diff " + a + " " + b);
   CHECK(ended.status == 1);
   CHECK(ended.err.empty());
-  CHECK(ended.out ==
-        "A: " + a + " (program)\nB: " + b +
-            " (program)\n"
-            "\n"
-            "                                 A               B           B - A\n"
-            "  time, s                 0.520000        1.010000       +0.490000    +94.231 %\n"
-            "  length, mm             10.000000       10.000000       +0.000000\n"
-            "  rows                         521            1011            +490\n"
-            "\n"
-            "time by limit, s\n"
-            "  feed                    0.481000        0.990000       +0.509000   +105.821 %\n"
-            "  acceleration            0.038000        0.019000       -0.019000    -50.000 %\n"
-            "  stop                    0.001000        0.001000       +0.000000\n"
-            "\n"
-            "time by line, s: 1 line differs\n"
-            "  line 1                  0.519000        1.009000       +0.490000    +94.412 %\n"
-            "\n"
-            "                        difference       tolerance\n"
-            "  time                      0.49 s         1e-09 s  differs\n"
-            "  path                        0 um        0.001 um  same\n"
-            "  position                 4900 um        0.001 um  differs\n"
-            "  speed                    10 mm/s      2e-05 mm/s  differs\n"
-            "  line                       1 row          0 rows  differs\n"
-            "  limit                    30 rows          0 rows  differs\n"
-            "\n"
-            "the first row that differs is row 11, at 0.01 s, line 1: the limit is acceleration in "
-            "A and feed in B\n");
+  CHECK(shows(
+      ended.out,
+      "A: " + a + " (program)\nB: " + b +
+          " (program)\n"
+          "\n"
+          "                                 A               B           B - A\n"
+          "  time, s                 0.520000        1.010000       +0.490000    +94.231 %\n"
+          "  length, mm             10.000000       10.000000       +0.000000\n"
+          "  rows                         521            1011            +490\n"
+          "  contour max, um         0.000000        0.000000       +0.000000\n"
+          "\n"
+          "time by limit, s\n"
+          "  feed                    0.481000        0.990000       +0.509000   +105.821 %\n"
+          "  acceleration            0.038000        0.019000       -0.019000    -50.000 %\n"
+          "  stop                    0.001000        0.001000       +0.000000\n"
+          "\n"
+          "time by line, s: 1 line differs\n"
+          "  line 1                  0.519000        1.009000       +0.490000    +94.412 %\n"
+          "\n"
+          "                        difference       tolerance\n"
+          "  time                      0.49 s         1e-09 s  differs\n"
+          "  path                        0 um        0.001 um  same\n"
+          "  position                 4900 um        0.001 um  differs\n"
+          "  speed                    10 mm/s      2e-05 mm/s  differs\n"
+          "  line                       1 row          0 rows  differs\n"
+          "  limit                    30 rows          0 rows  differs\n"
+          "\n"
+          "the first row that differs is row 11, at 0.01 s, line 1: the limit is acceleration in "
+          "A and feed in B\n"));
+}
+
+TEST_CASE("what differs in the machines is shown, and how far the table is off", "[apps][diff]") {
+  const Folder folder;
+  for (const char* part : {"a.nc", "b.nc"}) write(folder / part, "G02 X10 Y10 I5 J5 F3000\nM30\n");
+  const std::string toml = call("machine --toml --set axis.y.acceleration_mm_s2=500").out;
+  write(folder / "b.toml", toml);
+  const std::string diff = "cd " + (folder / "") + "; $softcnc diff a.nc b.nc";
+  const std::string text = shell(diff).out;
+  CHECK(shows(text, "\nmachine: 1 value differs\n  axis.y.acceleration_mm_s2"));
+  CHECK(shows(text, "  axis.y.acceleration_mm_s2 ... 1000 ... 500\n\ntime by limit, s\n"));
+  CHECK(shows(text, "  contour max, um ...\n\nmachine: "));
+  const json document = json::parse(shell(diff + " --format json").out);
+  CHECK(document["machine"] ==
+        json::parse(R"([{"key": "axis.y.acceleration_mm_s2", "a": "1000", "b": "500"}])"));
+  CHECK(double(document["a"]["contour_max_um"]) > double(document["b"]["contour_max_um"]));
+  const std::string none = " --set control.backend=none";
+  CHECK_FALSE(shows(shell(diff + none).out, "contour max"));
+  REQUIRE(shell("cd " + (folder / "") + "; $softcnc record -q a.nc -o a.rec").status == 0);
+  CHECK(json::parse(shell("cd " + (folder / "") + "; $softcnc diff a.rec b.nc --format json")
+                        .out)["machine"] == document["machine"]);
 }
 
 TEST_CASE("a tolerance judges what it names, and nothing else", "[apps][diff]") {

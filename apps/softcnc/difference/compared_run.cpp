@@ -4,15 +4,24 @@
 #include <utility>
 
 #include "hal/backends/backend.hpp"
+#include "hal/machine/machine_file.hpp"
 #include "job/job.hpp"
 #include "recording/recording.hpp"
-#include "runtime/check/check.hpp"
 #include "runtime/history/read_trace.hpp"
 #include "runtime/history/run_rows.hpp"
 #include "runtime/run/run.hpp"
+#include "runtime/sinks/contour_rows.hpp"
 
 namespace softcnc::app {
 namespace {
+
+/// Nothing where a later version has written it.
+std::optional<Machine> recorded_machine(const std::string& file) {
+  const auto recording = Recording::open(file);
+  if (!recording) return std::nullopt;
+  auto machine = hal::parse_machine(recording->machine(), file, {});
+  return machine ? std::optional(std::move(*machine)) : std::nullopt;
+}
 
 Status read_trace_file(const std::string& file, runtime::RowStore& rows) {
   const auto facts = runtime::read_trace(file, rows);
@@ -20,27 +29,28 @@ Status read_trace_file(const std::string& file, runtime::RowStore& rows) {
   return rows.finish(facts->period);
 }
 
-/// Runs it without backend; returns the exit status.
-Result<int> run_program(const std::string& file, Options options, runtime::RowStore& rows,
+/// Runs it on the simulated mill, if its machine is one; returns the exit status.
+Result<int> run_program(const std::string& file, Options options, ComparedRun& run,
                         Messages& messages, Terminal& terminal) {
   options.files = {file};
   options.dry_run = true;
   auto job = open_job(options);
   if (!job) return tl::make_unexpected(std::move(job.error()));
-  auto backend = hal::open_backend(runtime::without_backend(job->machine));
+  auto backend = hal::open_backend(hal::without_port(job->machine));
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   const double period = job->machine.control.period;
   job->options.interpreter.stop = terminal.stop();
   terminal.begin(file, 0, job->program.size());
   terminal.begin_run(0, period);
-  runtime::RunRows sink(rows, false);
+  runtime::RunRows sink(run.rows, runtime::knows_contour(**backend));
   const runtime::JudgedRun judged =
       runtime::run({job->program, job->machine, job->options, **backend, &sink, &terminal},
                    messages.sink(job->program));
   terminal.end();
   if (judged.outcome.end == runtime::Outcome::End::stopped)
     return worse_status(judged.status, kSignalled + terminal.signal());
-  if (Status kept = rows.finish(period); !kept) return tl::make_unexpected(kept.error());
+  if (Status kept = run.rows.finish(period); !kept) return tl::make_unexpected(kept.error());
+  run.machine = std::move(job->machine);
   return judged.status;
 }
 
@@ -59,9 +69,9 @@ Status read_recording(const std::string& file, runtime::RowStore& rows) {
 
 Result<ComparedRun> read_compared(const std::string& file, const Options& options,
                                   Messages& messages, Terminal& terminal) {
-  ComparedRun run{file == "-" ? "<stdin>" : file, input_kind(file), {}, 0};
+  ComparedRun run{.name = file == "-" ? "<stdin>" : file, .kind = input_kind(file)};
   if (run.kind == InputKind::program) {
-    const auto status = run_program(file, options, run.rows, messages, terminal);
+    const auto status = run_program(file, options, run, messages, terminal);
     if (!status) return tl::make_unexpected(status.error());
     run.status = *status;
     return run;
@@ -73,6 +83,7 @@ Result<ComparedRun> read_compared(const std::string& file, const Options& option
     if (error.file.empty()) error.file = run.name;
     return tl::make_unexpected(std::move(error));
   }
+  if (run.kind == InputKind::recording) run.machine = recorded_machine(file);
   return run;
 }
 

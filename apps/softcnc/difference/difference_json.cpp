@@ -16,9 +16,14 @@ using runtime::Aspect, runtime::TimePair;
 constexpr int kDifferenceSchema = 1;
 
 Json run_json(const ComparedRun& run) {
-  return {{"file", as_utf8(run.name)},      {"kind", name(run.kind)},
-          {"time_s", run.rows.time()},      {"length_mm", run.rows.length()},
-          {"rows", run.rows.rows().size()}, {"period_s", run.rows.period()}};
+  return {
+      {"file", as_utf8(run.name)},
+      {"kind", name(run.kind)},
+      {"time_s", run.rows.time()},
+      {"length_mm", run.rows.length()},
+      {"rows", run.rows.rows().size()},
+      {"period_s", run.rows.period()},
+      {"contour_max_um", std::isfinite(run.rows.contour()) ? Json(run.rows.contour()) : Json()}};
 }
 
 /// The name of the number of an aspect, with its unit.
@@ -73,6 +78,13 @@ Json lines_json(const runtime::RunDifference& difference, std::size_t most) {
   return lines;
 }
 
+Json machine_json(const ComparedPair& pair) {
+  Json values = Json::array();
+  for (const hal::DifferingValue& value : machine_differences(pair))
+    values.push_back({{"key", value.key}, {"a", value.a}, {"b", value.b}});
+  return values;
+}
+
 Json first_json(const ComparedPair& pair) {
   const auto aspect = pair.difference.first();
   if (!aspect) return nullptr;
@@ -90,6 +102,7 @@ std::string difference_json(const ComparedPair& pair, std::size_t lines) {
             {"same", difference.same()},
             {"a", run_json(pair.a)},
             {"b", run_json(pair.b)},
+            {"machine", machine_json(pair)},
             {"aspects", Json::array()},
             {"by_limit", limits_json(difference)},
             {"lines_that_differ", difference.by_line.size()},

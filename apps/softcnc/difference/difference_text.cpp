@@ -36,6 +36,8 @@ std::string times_text(const ComparedPair& pair) {
   text += fmt::format("  {:<16}{:>16}{:>16}{:>+16}\n", "rows", rows_a, rows_b, rows_b - rows_a);
   if (!pair.difference.same_period)
     text += figures("period, ms", ms_from_s(a.period()), ms_from_s(b.period()));
+  if (std::isfinite(a.contour()) || std::isfinite(b.contour()))
+    text += figures("contour max, um", double{a.contour()}, double{b.contour()});
   return text;
 }
 
@@ -46,6 +48,18 @@ std::string limits_text(const runtime::RunDifference& difference) {
     if (time.a > 0 || time.b > 0) text += figures(std::string(kLimitNames[i]), time.a, time.b);
   }
   return text.empty() ? text : "\ntime by limit, s\n" + text;
+}
+
+/// The values of the machines that differ, where both are known.
+std::string machines_text(const ComparedPair& pair) {
+  const auto differing = machine_differences(pair);
+  if (differing.empty()) return {};
+  std::string text = fmt::format("\nmachine: {} value{}\n", differing.size(),
+                                 differing.size() == 1 ? " differs" : "s differ");
+  for (const hal::DifferingValue& value : differing)
+    text += fmt::format("  {:<38} {:>16} {:>16}\n", value.key, value.a.empty() ? "-" : value.a,
+                        value.b.empty() ? "-" : value.b);
+  return text;
 }
 
 std::string lines_text(const runtime::RunDifference& difference, std::size_t most) {
@@ -117,6 +131,11 @@ std::string value_difference(Aspect aspect, const StoredRow& a, const StoredRow&
 
 }  // namespace
 
+std::vector<hal::DifferingValue> machine_differences(const ComparedPair& pair) {
+  if (!pair.a.machine || !pair.b.machine) return {};
+  return hal::differing_values(*pair.a.machine, *pair.b.machine);
+}
+
 std::string amount(Aspect aspect, double value) {
   switch (aspect) {
     case Aspect::time:
@@ -168,8 +187,8 @@ std::string failure_details(const ComparedPair& pair, Aspect aspect) {
 std::string difference_text(const ComparedPair& pair, std::size_t lines) {
   std::string text = fmt::format("A: {} ({})\nB: {} ({})\n\n", pair.a.name, name(pair.a.kind),
                                  pair.b.name, name(pair.b.kind));
-  text += times_text(pair) + limits_text(pair.difference) + lines_text(pair.difference, lines) +
-          aspects_text(pair) + place_text(pair);
+  text += times_text(pair) + machines_text(pair) + limits_text(pair.difference) +
+          lines_text(pair.difference, lines) + aspects_text(pair) + place_text(pair);
   if (const std::string first = first_difference(pair); !first.empty())
     text += fmt::format("\nthe first row that differs is {}\n", first);
   return text;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "difference/compared_run.hpp"
+#include "hal/machine/machine_file.hpp"
 #include "output/junit.hpp"
 #include "runtime/difference/run_difference.hpp"
 
@@ -24,6 +25,9 @@ std::string difference_text(const ComparedPair& pair, std::size_t lines);
 
 /// Returns one JSON document: docs/cli.md. The same of `lines`.
 std::string difference_json(const ComparedPair& pair, std::size_t lines);
+
+/// Returns the values in which the machines differ; none where one of them is not known.
+std::vector<hal::DifferingValue> machine_differences(const ComparedPair& pair);
 
 /// Returns a test case for each aspect; those that are not judged are skipped.
 std::vector<TestCase> difference_cases(const ComparedPair& pair);

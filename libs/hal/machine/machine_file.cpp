@@ -155,6 +155,42 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
 
 namespace {
 
+/// Keys and values, in the order of the table.
+std::vector<std::pair<std::string, std::string>> values_of(Machine machine) {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const KeyRef& ref : all_instances(machine))
+    values.emplace_back(path_of(ref), value_text(ref, machine));
+  for (const DeviceValue& value : device_values(machine))
+    values.emplace_back(value.path, value.value);
+  return values;
+}
+
+const std::string& value_in(const std::vector<std::pair<std::string, std::string>>& values,
+                            const std::string& key) {
+  static const std::string kNone;
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const auto& value) { return value.first == key; });
+  return found == values.end() ? kNone : found->second;
+}
+
+}  // namespace
+
+std::vector<DifferingValue> differing_values(const Machine& a, const Machine& b) {
+  const auto of_a = values_of(a), of_b = values_of(b);
+  std::vector<DifferingValue> differing;
+  const auto is_place = [](const std::string& key) {
+    return key.ends_with(".file") || key.ends_with(".device");
+  };
+  for (const auto& [key, value] : of_a)
+    if (const std::string& other = value_in(of_b, key); other != value && !is_place(key))
+      differing.push_back({key, value, other});
+  for (const auto& [key, value] : of_b)
+    if (value_in(of_a, key).empty() && !is_place(key)) differing.push_back({key, "", value});
+  return differing;
+}
+
+namespace {
+
 std::string toml_of(Machine machine, bool explained) {
   std::string text, section;
   const auto add = [&](const std::string& path, const std::string& value,

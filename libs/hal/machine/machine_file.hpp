@@ -61,6 +61,16 @@ struct EffectiveValue {
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
     const std::string& file, std::span<const std::string> settings);
 
+/// A value in which two machines differ, as a machine file spells it; empty where one has no such
+/// key.
+struct DifferingValue {
+  std::string key, a, b;
+};
+
+/// Returns the values in which two machines differ, in the order of the table of keys; names of
+/// files and devices are left out.
+std::vector<DifferingValue> differing_values(const Machine& a, const Machine& b);
+
 /// A complete TOML file. It loads back to the identical machine, bit for bit, for every machine
 /// that load_machine() returns.
 std::string machine_toml(const Machine& machine);

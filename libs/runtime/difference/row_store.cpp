@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/difference/row_store.hpp"
 
+#include <cmath>
+
 namespace softcnc::runtime {
 
 void RowStore::take(const RunRow& row) {
@@ -17,6 +19,7 @@ void RowStore::take(const RunRow& row) {
     lines_[row.line] += periods;
   }
   length_ = row.s;
+  contour_ = std::fmax(contour_, row.contour);
   rows_.push_back(stored);
   last_ = stored;
 }

@@ -50,6 +50,8 @@ class RowStore final : public RunRowSink {
   double length() const noexcept { return length_; }
   /// Returns the time of a limit, s.
   double time(Limit limit) const noexcept;
+  /// Returns the largest contour error of the rows, um; NaN where none knows it.
+  float contour() const noexcept { return contour_; }
   /// The number of periods by line.
   const std::unordered_map<int, std::int64_t>& periods_by_line() const noexcept { return lines_; }
 
@@ -57,6 +59,7 @@ class RowStore final : public RunRowSink {
   DiskBackedVector<StoredRow> rows_;
   StoredRow first_, last_;
   double period_ = 0, length_ = 0;
+  float contour_ = RunRow::kUnknown;  // um
   std::array<std::int64_t, kLimits> limits_{};
   std::unordered_map<int, std::int64_t> lines_;
 };
