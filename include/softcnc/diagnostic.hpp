@@ -21,6 +21,7 @@ struct Diagnostic {
   std::string message;
   std::string source_line;  // empty if unknown
   std::string text;         // all of it, as softcnc check shows it: with a caret, and a newline
+  std::string help;         // what to do about it
 };
 
 /// A value, or the diagnostics that explain why there is none.

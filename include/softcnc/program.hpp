@@ -12,6 +12,8 @@
 #include <softcnc/diagnostic.hpp>
 #include <softcnc/export.hpp>
 #include <softcnc/machine.hpp>
+#include <softcnc/setpoint.hpp>
+#include <softcnc/state.hpp>
 
 namespace softcnc::api {
 
@@ -55,6 +57,10 @@ struct RunOptions {
   /// Variables that are set before the first line: "_td" is #<_td>, "100" is #100. A name that no
   /// program could assign to is reported when the program is read (SC2318).
   std::map<std::string, double> definitions;
+  /// What earlier programs have left.
+  State state;
+  /// Where the machine stands, mm, in machine coordinates.
+  AxisVector start = AxisVector::Zero();
   /// Limits beyond those of the machine.
   std::vector<std::shared_ptr<const Constraint>> constraints;
 };

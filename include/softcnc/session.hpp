@@ -21,6 +21,7 @@ enum class SessionStatus : std::uint8_t {
   paused,   // at M00, M01 or M06: resume() goes on
   done,     // the program, or what abort() has left of it, has come to its end
   alarm,    // of the backend: nothing moves any more
+  error,    // a line was wrong: the machine stands where the last good block ends, see go_on()
 };
 
 /// One period of a session.
@@ -49,7 +50,12 @@ class SOFTCNC_API Session {
   /// branch leaves out must come as one text. Returns false, and adds nothing, after end() and
   /// abort(), where the session has ended, and where nothing more can be kept.
   bool feed(std::string_view text);
-  /// Says that nothing more is fed.
+  /// After an error, as a control does when its operator has read it: what has been fed and was not
+  /// run is forgotten, modes, offsets and variables are those behind the last line without an
+  /// error, the machine stays where it stands, and more can be fed. A subprogram, a curve over
+  /// several lines and cutter compensation end. Ignored unless the status is `error`.
+  void go_on();
+  /// Says that nothing more is fed: an error then ends the session.
   void end() noexcept;
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed.
@@ -72,6 +78,13 @@ class SOFTCNC_API Session {
   /// Returns what has been reported so far. After an error the motion ends with the last good
   /// block.
   std::vector<Diagnostic> diagnostics() const;
+
+  /// Returns where the last row was, mm, in machine coordinates; before the first one, where the
+  /// session begins.
+  AxisVector position() const noexcept;
+  /// Returns what the program has left so far where the machine is: a session that begins with it
+  /// and at position() goes on from there.
+  State state() const;
 
   /// Returns the names of the backend's columns of a trace, such as "x_act_mm", and their values
   /// after the last step().

@@ -23,4 +23,5 @@
 #include <softcnc/program.hpp>
 #include <softcnc/session.hpp>
 #include <softcnc/setpoint.hpp>
+#include <softcnc/state.hpp>
 #include <softcnc/trajectory.hpp>

@@ -28,7 +28,8 @@ Diagnostic diagnostic_of(const softcnc::Diagnostic& diagnostic) {
           seen.pos.length,
           seen.message,
           seen.source_line,
-          render(diagnostic)};
+          render(diagnostic),
+          std::string(help_of(seen))};
 }
 
 std::vector<Diagnostic> diagnostics_of(std::span<const softcnc::Diagnostic> diagnostics) {

@@ -52,6 +52,8 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
     constraints_.push_back(std::make_unique<CustomConstraint>(constraint));
     channel_.constraints.push_back(constraints_.back().get());
   }
+  channel_.state = options.state.data().state;
+  if (is_near(options.start)) channel_.interpreter.start = options.start;
   if (program == nullptr) return;
   channel_.interpreter.folder = program->folder();
   channel_.interpreter.called = &program->called();

@@ -10,6 +10,7 @@
 
 #include "ipo/limits/constraint.hpp"
 #include "motion/model/machine.hpp"
+#include "motion/model/machine_state.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/session/channel_options.hpp"
 
@@ -17,6 +18,10 @@ namespace softcnc::api {
 
 struct Machine::Data {
   softcnc::Machine machine;
+};
+
+struct State::Data {
+  MachineState state;
 };
 
 struct Program::Data {

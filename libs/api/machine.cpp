@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <softcnc/machine.hpp>
+#include <softcnc/state.hpp>
 #include <utility>
 
 #include "api/convert.hpp"
 #include "api/data.hpp"
 #include "hal/machine/machine_file.hpp"
+#include "hal/machine/state_file.hpp"
 
 namespace softcnc::api {
 namespace {
@@ -12,6 +14,11 @@ namespace {
 Expected<softcnc::Machine> machine_of(hal::MachineOrErrors machine) {
   if (!machine) return diagnostics_of(machine.error());
   return std::move(*machine);
+}
+
+Expected<State> state_of(hal::StateOrErrors state) {
+  if (!state) return diagnostics_of(state.error());
+  return State(std::make_unique<State::Data>(State::Data{std::move(*state)}));
 }
 
 }  // namespace
@@ -50,6 +57,29 @@ const Machine::Data& Machine::data() const noexcept {
 }
 
 double Machine::period() const noexcept { return data().machine.control.period; }
+State::State() : data_(std::make_unique<Data>()) {}
+State::State(std::unique_ptr<Data> data) noexcept : data_(std::move(data)) {}
+State::State(const State& other) : data_(std::make_unique<Data>(other.data())) {}
+State::State(State&& other) noexcept = default;
+State& State::operator=(State other) noexcept {
+  std::swap(data_, other.data_);
+  return *this;
+}
+State::~State() = default;
+
+Expected<State> State::load(const std::string& file) { return state_of(hal::load_state(file)); }
+
+Expected<State> State::parse(const std::string& text, const std::string& name) {
+  return state_of(hal::parse_state(text, name));
+}
+
+const State::Data& State::data() const noexcept {
+  static const Data nothing_set{};
+  return data_ ? *data_ : nothing_set;
+}
+
+std::string State::toml() const { return hal::state_toml(data().state); }
+
 std::string Machine::toml() const {
   return hal::machine_toml(hal::with_whole_paths(data().machine));
 }

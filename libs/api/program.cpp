@@ -7,6 +7,8 @@
 #include "api/convert.hpp"
 #include "api/data.hpp"
 #include "runtime/check/check.hpp"
+#include "runtime/program/source_line.hpp"
+#include "runtime/run/repeated_errors.hpp"
 
 namespace softcnc::api {
 
@@ -39,14 +41,19 @@ std::vector<Diagnostic> check(const Program& program, const Machine& machine,
                               const RunOptions& options) {
   runtime::Program& text = program.data().program;
   const RunSetup setup(options, &text);
+  runtime::ChannelOptions channel = setup.channel();
+  channel.interpreter.compare_dialects = true;
+  channel.interpreter.unreachable_too = true;
   std::vector<Diagnostic> all;
-  Diagnostics diagnostics([&](softcnc::Diagnostic diagnostic) {
-    if (diagnostic.source_line.empty() && diagnostic.pos.file == 0)
-      diagnostic.source_line = text.line(diagnostic.pos.line);
+  runtime::ShownOnce shown(text, channel.interpreter, [&](softcnc::Diagnostic diagnostic) {
+    diagnostic.source_line = runtime::source_line(diagnostic, text);
     all.push_back(diagnostic_of(diagnostic));
   });
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(text.name());
-  runtime::check(text, machine.data().machine, setup.channel(), diagnostics);
+  runtime::check(text, machine.data().machine, channel, diagnostics, nullptr,
+                 runtime::CheckNotes::surface_too);
+  shown.finish();
   return all;
 }
 

@@ -45,6 +45,8 @@ SessionStatus status_of(runtime::SessionStatus status) noexcept {
       return SessionStatus::paused;
     case runtime::SessionStatus::done:
       return SessionStatus::done;
+    case runtime::SessionStatus::error:
+      return SessionStatus::error;
     case runtime::SessionStatus::alarm:
       break;
   }
@@ -91,6 +93,9 @@ Session Session::on(std::shared_ptr<Backend> backend, const Machine& machine,
 bool Session::feed(std::string_view text) {
   return data_ && data_->session.takes_more() && data_->session.feed(text).has_value();
 }
+void Session::go_on() {
+  if (data_) data_->session.go_on();
+}
 void Session::end() noexcept {
   if (data_) data_->session.end();
 }
@@ -124,6 +129,14 @@ void Session::abort() noexcept {
 
 std::vector<Diagnostic> Session::diagnostics() const {
   return data_ ? diagnostics_of(data_->session.diagnostics()) : std::vector<Diagnostic>();
+}
+
+AxisVector Session::position() const noexcept {
+  return data_ ? data_->session.position() : AxisVector(AxisVector::Zero());
+}
+State Session::state() const {
+  if (!data_) return {};
+  return State(std::make_unique<State::Data>(State::Data{data_->session.state()}));
 }
 
 const std::vector<std::string>& Session::columns() const noexcept {

@@ -10,7 +10,7 @@
 #include "ipo/planner/planner.hpp"
 #include "runtime/check/check.hpp"
 #include "runtime/program/each_block.hpp"
-#include "runtime/session/simulate.hpp"
+#include "runtime/run/run.hpp"
 
 namespace softcnc::api {
 
@@ -107,11 +107,14 @@ void Trajectory::for_each_setpoint(const std::function<bool(const Setpoint&)>& v
   const auto backend = hal::open_backend(machine);
   if (!backend) return;
   const RunSetup setup(data_->options, &program);
-  ipr::Reader reader = program.reader();
-  Diagnostics silent([](const softcnc::Diagnostic&) {});
   Visits visits(visit, machine.control.period);
-  runtime::simulate(reader, program.descriptor(), machine, setup.channel(), **backend, silent,
-                    &visits, nullptr);
+  runtime::run({.program = program,
+                .machine = machine,
+                .options = setup.channel(),
+                .backend = **backend,
+                .rows = &visits,
+                .is_judged = false},
+               [](const softcnc::Diagnostic&) {});
 }
 
 Expected<Trajectory> plan(const Program& program, const Machine& machine,

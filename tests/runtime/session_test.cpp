@@ -270,15 +270,130 @@ TEST_CASE("an error ends the motion with the last good block", "[runtime][sessio
   CHECK(shop.x() == 10);
 }
 
-TEST_CASE("an error at the end of what has come ends the session", "[runtime][session]") {
+TEST_CASE("after an error nothing is taken until the session goes on", "[runtime][session]") {
   Shop shop;
-  REQUIRE(shop.session.feed("G01 X10 F3000\nG01 X\n"));
+  REQUIRE(shop.session.feed("G01 X10 F3000\nG01 X\nX30\n"));
   shop.session.rest();
   shop.run();
-  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.session.status() == SessionStatus::error);
   CHECK(shop.session.errors() == 1);
   CHECK(shop.x() == 10);
   CHECK_FALSE(shop.session.takes_more());
+  REQUIRE(shop.session.feed("X99\n"));  // ignored
+  CHECK(shop.run() == 0);
+  shop.session.go_on();
+  CHECK(shop.session.status() == SessionStatus::waiting);
+  CHECK(shop.session.position()[0] == 10);
+  REQUIRE(shop.session.feed("X12\n"));  // by G01 and F3000, as before
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::waiting);
+  CHECK(shop.x() == 12);
+  REQUIRE(shop.session.feed("X\n"));
+  shop.session.rest();
+  shop.run();
+  REQUIRE(shop.session.errors() == 2);
+  CHECK(shop.session.diagnostics()[0].pos.line == 2);
+  CHECK(shop.session.diagnostics()[1].pos.line == 5);
+}
+
+TEST_CASE("rows count on after an error, and keep every limit", "[runtime][session]") {
+  Shop shop;
+  for (const char* text : {"G01 X10 F3000\n", "Y5\n", "Y\n", "G91 X-3\n", "G04 P0.01 Q\n",
+                           "G04 P0.01\n", "X-3\n", "G999\n", "Z1\n"}) {
+    if (shop.session.status() == SessionStatus::error) shop.session.go_on();
+    REQUIRE(shop.session.feed(text));
+    shop.session.rest();
+    shop.run();
+    CHECK(shop.keeps_limits());
+  }
+  CHECK(shop.session.errors() == 3);
+  CHECK((shop.session.position() - AxisVector(4, 5, 1)).norm() < 1e-9);
+  for (std::size_t i = 1; i < shop.rows.size(); ++i) {
+    const Setpoint &before = shop.rows[i - 1], &row = shop.rows[i];
+    CHECK(row.period == before.period + 1);
+    CHECK(row.s >= before.s);
+    CHECK(row.block >= before.block);
+    CHECK((row.position - before.position).norm() <= 0.05 + 1e-9);  // F3000 in 1 ms
+  }
+  CHECK(shop.rows.back().s == Approx(22));
+  CHECK(shop.rows.back().line == 9);
+}
+
+TEST_CASE("a line with an error changes nothing that an operator has set", "[runtime][session]") {
+  Shop shop;
+  const auto say = [&](const std::string& text) {
+    if (shop.session.status() == SessionStatus::error) shop.session.go_on();
+    REQUIRE(shop.session.feed(text));
+    shop.session.rest();
+    shop.run();
+  };
+  say("G91 G20 F100\n#1=2 #<_far>=3\n");
+  say("G90 G21 F200 #1=7 X1 X2\n");  // X twice: none of it counts
+  CHECK(shop.session.status() == SessionStatus::error);
+  say("G01 X#1\n");  // inches, relative
+  CHECK(shop.x() == Approx(50.8));
+  say("G10 L2 P1 X0.5\nX#<_nowhere>\n");
+  say("X1\n");
+  CHECK(shop.session.state().work[0].origin[0] == Approx(12.7));
+  CHECK(shop.x() == Approx(76.2));
+  say("o1 if [1 EQ 1]\nX1\nX1 X1\no1 endif\n");  // ends within the branch
+  CHECK(shop.x() == Approx(101.6));
+  say("G90 X0\n");
+  CHECK(shop.x() == Approx(12.7));
+  CHECK(shop.session.errors() == 3);
+}
+
+TEST_CASE("after an error the machine rests where it stands, whatever comes first",
+          "[runtime][session]") {
+  Shop shop;
+  for (const char* text : {"G01 X1 F6000\n", "X2 X3\n", "G04 P0.01\n", "X2\n", "M\n", "X3\n"}) {
+    if (shop.session.status() == SessionStatus::error) shop.session.go_on();
+    REQUIRE(shop.session.feed(text));
+    shop.session.rest();
+    shop.run();
+  }
+  CHECK(shop.x() == 3);
+  for (std::size_t i = 1; i < shop.rows.size(); ++i)
+    CHECK(shop.rows[i].position[0] >= shop.rows[i - 1].position[0]);
+}
+
+TEST_CASE("a move beyond the travel is refused, and the session goes on before it",
+          "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\nX5000\nX20\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::error);
+  CHECK(shop.x() == 10);
+  shop.session.go_on();
+  REQUIRE(shop.session.feed("G91 X1\n"));
+  shop.session.end();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.x() == 11);
+}
+
+TEST_CASE("a session begins where the machine stands, with what others have left",
+          "[runtime][session]") {
+  const Machine machine = machine_without_backend();
+  const auto backend = hal::open_backend(machine);
+  ChannelOptions options;
+  options.interpreter.start = AxisVector(3, 4, 5);
+  options.state.work[0].origin = AxisVector(1, 0, 0);
+  options.state.parameters[100] = 7;
+  Session session(machine, options, **backend);
+  CHECK(session.position() == options.interpreter.start);
+  REQUIRE(session.feed("G91 G01 Y1 F600\n#100=[#100+1]\nG10 L2 P2 X9\nG90 X[#100]\n"));
+  session.end();
+  std::optional<Row> first;
+  while (const auto row = session.step())
+    if (!first) first = row;
+  REQUIRE(first);
+  CHECK(first->setpoint.position == options.interpreter.start);
+  CHECK((session.position() - AxisVector(9, 5, 5)).norm() < 1e-9);
+  CHECK(session.state().work[1].origin[0] == 9);
+  CHECK(session.state().parameters.at(100) == 8);
 }
 
 TEST_CASE("a rest where nothing has come since the last one adds no row", "[runtime][session]") {

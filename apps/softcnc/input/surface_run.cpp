@@ -11,7 +11,7 @@
 #include "runtime/check/check.hpp"
 #include "runtime/cutting/cutting_rows.hpp"
 #include "runtime/cutting/surface_grid.hpp"
-#include "runtime/session/simulate.hpp"
+#include "runtime/run/run.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 #include "surface/surface_bands.hpp"
 
@@ -26,15 +26,19 @@ Result<std::optional<surface::ToolTrack>> track_of(Job& job, const runtime::Cutt
   const Machine machine = runtime::without_backend(job.machine);
   auto backend = hal::open_backend(machine);
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
-  Diagnostics silent([](const Diagnostic&) {});
   runtime::CuttingRows rows(cutting, machine.surfacing.phase, machine.control.period,
                             runtime::row_columns(**backend));
-  ipr::Reader reader = job.program.reader();
-  runtime::simulate(reader, job.program.descriptor(), machine, job.options, **backend, silent,
-                    &rows, &terminal);
+  const runtime::JudgedRun run = runtime::run({.program = job.program,
+                                               .machine = machine,
+                                               .options = job.options,
+                                               .backend = **backend,
+                                               .rows = &rows,
+                                               .watcher = &terminal,
+                                               .is_judged = false},
+                                              [](const Diagnostic&) {});
   auto track = rows.finish();
   if (!track) return tl::make_unexpected(std::move(track.error()));
-  if (silent.errors() > 0) return std::nullopt;
+  if (run.errors > 0) return std::nullopt;
   return std::move(*track);
 }
 

@@ -23,7 +23,7 @@ Json object_of(const Diagnostic& diagnostic) {
   object["severity"] = name(shown.severity());
   object["code"] = code_name(shown.code);
   object["message"] = shown.message;
-  object["help"] = shown.advice.empty() ? code_info(shown.code).help : shown.advice;
+  object["help"] = help_of(shown);
   if (!shown.source_line.empty()) object["source_line"] = shown.source_line;
   for (const CallPlace& call : shown.calls)
     object["called_from"].push_back(

@@ -11,24 +11,12 @@
 
 #include "hal/files/leftovers.hpp"
 #include "process/standard_error.hpp"
+#include "runtime/program/source_line.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr int kNotWritten = 5, kDefect = 70;  // exit status
-
-/// The text of a line of a called file, as it has been run; empty if it cannot be read.
-std::string line_of(const Diagnostic& diagnostic, ipr::CalledTexts& called) {
-  const auto& kept = called.find(diagnostic.file);
-  auto reader = ipr::Reader::open(kept && *kept ? (*kept)->name() : diagnostic.file);
-  std::string text;
-  while (reader && reader->line() < diagnostic.pos.line) {
-    const auto line = reader->next();
-    if (!line) return {};
-    text = *line;
-  }
-  return text;
-}
 
 /// The severity in colour.
 std::string coloured(const Diagnostic& diagnostic, std::string text) {
@@ -93,9 +81,7 @@ void Messages::show(const Diagnostic& diagnostic) {
 Diagnostics::Sink Messages::sink(runtime::Program& program) {
   return [this, &program](const Diagnostic& diagnostic) {
     Diagnostic full = diagnostic;
-    if (full.source_line.empty() && full.pos.line > 0)
-      full.source_line =
-          full.pos.file == 0 ? program.line(full.pos.line) : line_of(full, program.called());
+    full.source_line = runtime::source_line(diagnostic, program);
     show(full);
   };
 }

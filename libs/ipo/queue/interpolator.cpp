@@ -16,11 +16,12 @@ const Nurbs* nurbs_of(const TimedBlock& timed) noexcept {
 
 }  // namespace
 
-Interpolator::Interpolator(BlockQueue& queue, const Machine& machine)
+Interpolator::Interpolator(BlockQueue& queue, const Machine& machine, const AxisVector& start)
     : queue_(queue),
       control_(machine.control),
       fine_(fine_points(control_)),
       spline_(fine_.size()) {
+  last_.position = lagging_.position = start;
   if (is_by_pulses(control_.interpolation)) pulses_.reserve(kPulses);
   if (accelerates_after(control_.interpolation)) acc_dec_.emplace(acc_dec_shape(machine));
 }

@@ -23,8 +23,10 @@ inline std::size_t fine_points(const Control& control) noexcept {
 
 class Interpolator {
  public:
-  /// `queue` and `machine` must outlive the interpolator.
-  Interpolator(BlockQueue& queue, const Machine& machine);
+  /// `queue` and `machine` must outlive the interpolator. `start` is where the machine stands, mm,
+  /// up to the first move.
+  Interpolator(BlockQueue& queue, const Machine& machine,
+               const AxisVector& start = AxisVector::Zero());
 
   /// Realtime. Returns the next setpoint; nothing after the last one, which rests at the end of the
   /// queue. The queue must hold every block up to needs_until(), or all there are.

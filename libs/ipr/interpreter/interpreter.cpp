@@ -93,11 +93,30 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       machine_codes_(machine_codes(machine)),
       lengths_(machine.program.integers) {
   modal_.state = std::move(state);
+  modal_.position = options.start;
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.reader().set_stop(options.stop);
   command_.set_machine_codes(machine_codes_);
-  use_dialect(options.dialect);
+  use_dialect(options.memory != nullptr ? options.memory->dialect : options.dialect);
+  if (options.memory != nullptr) begin_with(*options.memory);
+  options_.memory = nullptr;
+  remember();
+}
+
+void Interpreter::begin_with(const Memory& memory) {
+  modal_ = memory.modal;
+  parser_.parameters() = memory.parameters;
+  parser_.parameters().set_system(&variables_);
+  options_.format = memory.format;
+  options_.guess_dialect = options_.guess_dialect && memory.format == Format::automatic;
+}
+
+void Interpreter::remember() {
+  if (!options_.remembers || diagnostics_.errors() > 0) return;
+  const bool is_known = parser_.line() > 0 || commands_;
+  memory_ = {modal_, parser_.parameters(), options_.dialect,
+             is_known && !commands_ ? Format::gcode : options_.format};
 }
 
 /// Before the first line.
@@ -172,6 +191,7 @@ bool Interpreter::read_on() {
   if (!commands_ && parser_.line() == 0 && !choose_format()) return false;
   if (commands_) return commands_->read_on();
   for (;;) {
+    remember();
     if (out_.has_block()) return true;
     if (modal_.ended) return false;
     if (next_)

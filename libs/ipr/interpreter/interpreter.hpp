@@ -13,6 +13,7 @@
 #include "ipr/expressions/dialect.hpp"
 #include "ipr/flow/flow.hpp"
 #include "ipr/handlers/saved_modes.hpp"
+#include "ipr/interpreter/memory.hpp"
 #include "ipr/lines/command.hpp"
 #include "ipr/lines/integer_lengths.hpp"
 #include "ipr/lines/options.hpp"
@@ -51,8 +52,14 @@ class Interpreter {
   /// to be kept.
   const MachineState& state() const noexcept { return modal_.state; }
 
+  /// Returns what the lines before the first one with an error have left, where the options ask
+  /// for it.
+  const Memory& memory() const noexcept { return memory_; }
+
  private:
   bool read_on();
+  void begin_with(const Memory& memory);
+  void remember();
   bool choose_format();
   bool choose_dialect();
   void use_dialect(Dialect dialect);
@@ -96,7 +103,8 @@ class Interpreter {
   IntegerLengths lengths_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
   bool entering_data_ = false;           // up to G11 lines are passed over
-  std::optional<ProgramLine> next_;      // waits for what its blocks come after
+  Memory memory_;
+  std::optional<ProgramLine> next_;  // waits for what its blocks come after
 };
 
 }  // namespace softcnc::ipr

@@ -13,6 +13,7 @@
 #include "ipr/expressions/definition.hpp"
 #include "ipr/expressions/dialect.hpp"
 #include "ipr/text/called_texts.hpp"
+#include "motion/core/axes.hpp"
 
 namespace softcnc::ipr {
 
@@ -22,6 +23,8 @@ inline constexpr std::array<std::string_view, 3> kFormatNames{"auto", "gcode", "
 constexpr std::string_view name(Format format) noexcept {
   return kFormatNames[static_cast<std::size_t>(format)];
 }
+
+struct Memory;
 
 /// The choices of a user about the reading of a program.
 struct InterpreterOptions {
@@ -37,6 +40,11 @@ struct InterpreterOptions {
   std::vector<Definition> definitions = {};          // of variables, before the first line
   CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
   std::stop_token stop = {};      // to read no further: waiting() then
+  AxisVector start = AxisVector::Zero();  // mm, machine coordinates: where the machine stands
+  bool remembers = false;                 // Interpreter::memory() is asked for
+  /// What earlier lines have left, in place of the initial modes; it counts while the interpreter
+  /// is made, and begins at its own place.
+  const Memory* memory = nullptr;
 };
 
 }  // namespace softcnc::ipr

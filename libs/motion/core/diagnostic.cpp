@@ -192,9 +192,7 @@ std::string render(const Diagnostic& diagnostic, Help help) {
   if (d.pos.line > 0) text += fmt::format(":{}:{}", d.pos.line, std::max(column, 1));
   text += fmt::format(": {}: {} [{}]\n", name(d.severity()), d.message, code_name(d.code));
   if (d.pos.line > 0 && !d.source_line.empty()) text += excerpt(d.source_line, d.pos);
-  const std::string_view advice = d.advice.empty() && help == Help::always
-                                      ? code_info(d.code).help
-                                      : std::string_view(d.advice);
+  const std::string_view advice = help == Help::always ? help_of(d) : std::string_view(d.advice);
   if (!advice.empty()) text += fmt::format("      = help: {}\n", advice);
   for (std::size_t i = 0, same = 0; i < d.calls.size(); i += same) {
     const CallPlace& call = d.calls[i];

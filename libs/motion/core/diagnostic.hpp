@@ -73,6 +73,11 @@ struct Diagnostic {
   }
 };
 
+/// Returns what to do about a diagnostic: its own advice, or the help of its code.
+inline std::string_view help_of(const Diagnostic& d) noexcept {
+  return d.advice.empty() ? code_info(d.code).help : std::string_view(d.advice);
+}
+
 /// What render() adds below the caret: advice that a diagnostic has of its own, or that or the help
 /// of its code.
 enum class Help : std::uint8_t { own, always };

@@ -7,8 +7,8 @@
 #include "runtime/check/corner_cost.hpp"
 #include "runtime/check/endless.hpp"
 #include "runtime/check/travel_summary.hpp"
+#include "runtime/run/judge.hpp"
 #include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
 
 namespace softcnc::runtime {
 namespace {
@@ -88,7 +88,7 @@ Outcome check(Program& program, const Machine& machine, const ChannelOptions& op
     return read_from(state, program, machine, options, watcher);
   });
   if (all.errors() > 0 || outcome.end != Outcome::End::done) return outcome;
-  report_excess(outcome.measured, outcome.deviation, machine, all);
+  judge(outcome, **backend, machine, all);
   if (notes == CheckNotes::surface_too) outcome.surface.report_blocks(all);
   outcome.surface.warn(all);
   report_corner_cost(program, machine, options, outcome, watcher, all);

@@ -25,7 +25,7 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
       follows_plan_(follows_time(machine.control.interpolation)),
-      interpolator_(queue_, machine),
+      interpolator_(queue_, machine, options.interpreter.start),
       times_(options.worst_lines > 0 || options.line_times, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
 }

@@ -64,6 +64,9 @@ class Feeder {
     pauses_.pop_front();
   }
 
+  /// What the lines before the first one with an error have left: Interpreter::memory().
+  const ipr::Memory& memory() const noexcept { return interpreter_.memory(); }
+
   /// The states of the machine as far as has been read.
   StateHistory& states() noexcept { return states_; }
 

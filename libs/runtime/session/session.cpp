@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ipr/interpreter/memory.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 
 namespace softcnc::runtime {
@@ -19,6 +20,7 @@ ChannelOptions of_session(ChannelOptions options) {
   options.keeps_state = true;
   options.events.clear();
   options.largest_override = kLargestOverride;
+  options.interpreter.remembers = true;
   return options;
 }
 
@@ -26,20 +28,71 @@ ChannelOptions of_session(ChannelOptions options) {
 
 Session::Session(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
                  RowSink* sink, Diagnostics::Sink report)
-    : backend_(backend),
+    : machine_(machine),
+      options_(of_session(options)),
+      backend_(backend),
       sink_(sink),
       diagnostics_(std::move(report)),
-      channel_(reader_, kNoDescriptor, machine, of_session(options), diagnostics_),
-      verification_(machine),
       values_(row_columns(backend).size()) {
   asked_.feed_override = options.feed_override;
-  if (knows_contour(backend)) contour_.emplace(machine.control.period);
-  channel_.feeder().show(verification_.programmed());
+  last_.position = options.interpreter.start;
+  begin();
+}
+
+/// The text that comes is read by a pipeline of its own: an error ends no other.
+void Session::begin() {
+  of_text_ = Diagnostics([this](const Diagnostic& found) {
+    Diagnostic counted = found;
+    if (counted.pos.file == 0 && counted.pos.line > 0) counted.pos.line += before_it_;
+    diagnostics_.pass_on(std::move(counted));
+  });
+  of_text_.set_file(diagnostics_.file());
+  channel_.emplace(reader_, kNoDescriptor, machine_, options_, of_text_);
+  verification_.emplace(machine_);
+  if (knows_contour(backend_)) contour_.emplace(machine_.control.period);
+  channel_->feeder().show(verification_->programmed());
+  planned_s_ = 0;
+}
+
+void Session::go_on() {
+  if (status_ != SessionStatus::error) return;
+  ipr::Memory memory = channel_->feeder().memory();
+  memory.stand_at(last_.position);
+  before_ = last_;
+  before_.period += 1;
+  before_it_ = lines_;
+  options_.interpreter.memory = &memory;
+  options_.interpreter.start = last_.position;
+  options_.state = memory.modal.state;
+  options_.feed_override = asked_.feed_override > 0 ? asked_.feed_override : 1;
+  channel_.reset();
+  reader_ = ipr::Reader::fed();
+  begin();
+  options_.interpreter.memory = nullptr;
+  pushed_ = 0;
+  ask_ = true;
+  status_ = SessionStatus::waiting;
+}
+
+/// Where the program has not been ended by whoever feeds it, an error is not the end.
+SessionStatus Session::end_of_motion() const noexcept {
+  const bool goes_on = of_text_.errors() > 0 && !fed_ && !panel_.stop;
+  return goes_on ? SessionStatus::error : SessionStatus::done;
+}
+
+/// As a row of the whole session.
+Setpoint Session::counted_on(Setpoint setpoint) const noexcept {
+  setpoint.period += before_.period;
+  setpoint.s += before_.s;
+  setpoint.block += before_.block;
+  if (setpoint.line > 0) setpoint.line += before_it_;
+  return setpoint;
 }
 
 Status Session::feed(std::string_view text) {
   if (!takes_more()) return {};
   if (Status fed = reader_.feed(text); !fed) return fed;
+  lines_ += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   if (status_ == SessionStatus::waiting) status_ = SessionStatus::running;
   return {};
 }
@@ -48,7 +101,7 @@ void Session::feed(Block block) {
   if (!takes_more()) return;
   if (block.number == 0) block.number = pushed_ + 1;
   pushed_ = block.number;
-  channel_.feeder().push(std::move(block));
+  channel_->feeder().push(std::move(block));
   if (status_ == SessionStatus::waiting) status_ = SessionStatus::running;
 }
 
@@ -58,13 +111,13 @@ void Session::end() noexcept {
 }
 
 std::optional<Row> Session::step() {
-  if (status_ == SessionStatus::done || status_ == SessionStatus::alarm) return std::nullopt;
+  if (status_ > SessionStatus::paused) return std::nullopt;
   if (is_to_pause()) return std::nullopt;
   answer_requests();
-  const auto setpoint = channel_.step(panel_);
-  channel_.rethrow();
+  const auto setpoint = channel_->step(panel_);
+  channel_->rethrow();
   if (!setpoint) {
-    status_ = channel_.waiting() ? SessionStatus::waiting : SessionStatus::done;
+    status_ = channel_->waiting() ? SessionStatus::waiting : end_of_motion();
     return std::nullopt;
   }
   return exchange(*setpoint);
@@ -72,42 +125,44 @@ std::optional<Row> Session::step() {
 
 /// Whether the machine stands at a pause that has not been answered.
 bool Session::is_to_pause() noexcept {
-  if (panel_.stop || !channel_.pause_ahead()) return false;
+  if (panel_.stop || !channel_->pause_ahead()) return false;
   if (status_ != SessionStatus::paused) backend_.rest();
   status_ = SessionStatus::paused;
   return true;
 }
 
 void Session::answer_requests() noexcept {
-  if (!ask_ || panel_.stop || !channel_.can_be_asked()) return;
-  channel_.ask(asked_);
+  if (!ask_ || panel_.stop || !channel_->can_be_asked()) return;
+  channel_->ask(asked_);
   ask_ = false;
 }
 
 Row Session::exchange(const Setpoint& setpoint) {
   status_ = SessionStatus::running;
-  const Feedback feedback = backend_.exchange(setpoint);
+  const Setpoint row = counted_on(setpoint);
+  const Feedback feedback = backend_.exchange(row);
   if (feedback.alarm != Alarm::none) status_ = SessionStatus::alarm;
   backend_.values(std::span(values_).first(backend_.columns().size()));
   const std::span rows(&setpoint, 1);
-  channel_.see_path_to(setpoint.s + Contour::kAhead);
-  verification_.add(rows, channel_.queue());
+  channel_->see_path_to(setpoint.s + Contour::kAhead);
+  verification_->add(rows, channel_->queue());
   if (contour_) {
-    add_path(rows, planned_s_, channel_.queue(), *contour_);
+    add_path(rows, planned_s_, channel_->queue(), *contour_);
     measure_contour(setpoint, backend_.actual(), *contour_, values_);
   }
   planned_s_ = setpoint.s;
-  channel_.feeder().states().pass(setpoint.block);
-  channel_.forget_passed();
-  if (sink_ && !sink_->row(setpoint, values_)) panel_.stop = true;
-  return {setpoint, feedback, values_};
+  channel_->feeder().states().pass(setpoint.block);
+  channel_->forget_passed();
+  last_ = row;
+  if (sink_ && !sink_->row(row, values_)) panel_.stop = true;
+  return {row, feedback, values_};
 }
 
 void Session::resume() noexcept {
   ask_ = ask_ || asked_.hold;
   asked_.hold = false;
   if (status_ != SessionStatus::paused) return;
-  channel_.resume();
+  channel_->resume();
   status_ = SessionStatus::running;
 }
 

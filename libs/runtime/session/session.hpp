@@ -26,6 +26,7 @@ enum class SessionStatus : std::uint8_t {
   paused,   // at M00, M01 or M06: resume() goes on
   done,     // the program, or what abort() has left of it, has come to its end
   alarm,    // of the backend: nothing moves any more
+  error,    // a line was wrong: the machine stands where the last good block ends, see go_on()
 };
 
 /// One period of a session.
@@ -58,13 +59,17 @@ class Session {
   /// Returns whether more can be fed: neither end() nor abort() has been called, and the session
   /// has not ended.
   bool takes_more() const noexcept {
-    return !fed_ && !panel_.stop && status_ != SessionStatus::done &&
-           status_ != SessionStatus::alarm;
+    return !fed_ && !panel_.stop && status_ <= SessionStatus::paused;
   }
+  /// After an error, as a control does when its operator has read it: what has been fed and was not
+  /// run is forgotten, modes, offsets and variables are those behind the last line without an
+  /// error, the machine stays where it stands, and more can be fed. A subprogram, a curve over
+  /// several lines and cutter compensation end. Ignored unless the status is `error`.
+  void go_on();
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
   /// where they are.
-  void rest() noexcept { channel_.come_to_rest(); }
+  void rest() noexcept { channel_->come_to_rest(); }
 
   /// Moves the machine by one period and returns the row; nothing unless the status is then
   /// `running`. Throws only std::bad_alloc.
@@ -85,24 +90,33 @@ class Session {
   std::span<const Diagnostic> diagnostics() const noexcept { return diagnostics_.all(); }
   int errors() const noexcept { return diagnostics_.errors(); }
 
-  /// Returns what the rows so far have reached, and how far they were from the path.
-  Measured measured() const noexcept { return verification_.measured(); }
+  /// Returns what the rows so far, or since go_on(), have reached, and how far they were from the
+  /// path.
+  Measured measured() const noexcept { return verification_->measured(); }
   std::optional<ContourReport> contour() const;
   /// Returns offsets, modes and position as programs that follow find them.
-  const MachineState& state() noexcept { return channel_.feeder().states().present(); }
+  const MachineState& state() noexcept { return channel_->feeder().states().present(); }
+  /// Returns where the last row was, mm; before the first one, where the session begins.
+  const AxisVector& position() const noexcept { return last_.position; }
 
  private:
+  void begin();
+  SessionStatus end_of_motion() const noexcept;
+  Setpoint counted_on(Setpoint setpoint) const noexcept;
   bool is_to_pause() noexcept;
   void answer_requests() noexcept;
   Row exchange(const Setpoint& setpoint);
 
+  const Machine& machine_;
+  ChannelOptions options_;
   hal::Backend& backend_;
   RowSink* sink_;
   Diagnostics diagnostics_;
+  Diagnostics of_text_;  // since the beginning, or go_on()
   ipr::Reader reader_ = ipr::Reader::fed();
   Panel panel_;
-  Channel channel_;
-  Verification verification_;
+  std::optional<Channel> channel_;
+  std::optional<Verification> verification_;
   std::optional<Contour> contour_;
   std::vector<double> values_;
   ipo::FeedControl asked_;
@@ -110,6 +124,10 @@ class Session {
   bool ask_ = false;      // and the channel does not know of it yet
   double planned_s_ = 0;  // mm: of the last row
   int pushed_ = 0;        // the number of the last block that was fed
+  Setpoint last_;
+  Setpoint before_;    // go_on(): the last row, from which periods, lengths and blocks count on
+  int lines_ = 0;      // that have been fed,
+  int before_it_ = 0;  // and had been at go_on()
   SessionStatus status_ = SessionStatus::waiting;
 };
 
