@@ -26,14 +26,19 @@ int main(int argc, char** argv) {
 
   std::size_t shown = 0;
   for (std::string line; std::getline(std::cin, line);) {
-    session->feed(line + '\n');
+    if (!session->feed(line + '\n')) break;
     session->rest();
-    while (session->step()) {
-    }
+    do {
+      session->resume();  // nobody changes tools here
+      while (session->step()) {
+      }
+    } while (session->status() == cnc::SessionStatus::paused);
     const auto found = session->diagnostics();
     for (; shown < found.size(); ++shown) std::cout << found[shown].text;
     if (session->status() == cnc::SessionStatus::error) session->go_on();
     std::cout << "at " << session->position().transpose() << '\n';
+    if (session->status() == cnc::SessionStatus::alarm) std::cout << "alarm\n";
+    if (session->status() == cnc::SessionStatus::done) std::cout << "the program has ended\n";
   }
   if (argc > 1) std::ofstream(argv[1]) << session->state().toml();
 }

@@ -59,7 +59,8 @@ struct RunOptions {
   std::map<std::string, double> definitions;
   /// What earlier programs have left.
   State state;
-  /// Where the machine stands, mm, in machine coordinates.
+  /// Where the machine stands, mm, in machine coordinates; beyond 1000 m from zero, or where it is
+  /// no number, zero.
   AxisVector start = AxisVector::Zero();
   /// Limits beyond those of the machine.
   std::vector<std::shared_ptr<const Constraint>> constraints;

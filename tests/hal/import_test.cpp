@@ -184,6 +184,24 @@ TEST_CASE("a configuration of FluidNC becomes a machine", "[hal][import]") {
   CHECK(made_of("config.txt", axes).read.axes[0].max == 295);  // known by its axes
 }
 
+TEST_CASE("FluidNC's defaults and spellings are known", "[hal][import]") {
+  const auto x_of = [](const std::string& of_axis) {
+    return made_of("f.yaml", "Axes:\naxes:\n  X:\n    Max_Travel_mm: 300\n" + of_axis).read.axes[0];
+  };
+  CHECK(x_of("    homing:\n      cycle: 1\n").max == 0);
+  CHECK(x_of("    homing:\n").max == 0);
+  CHECK(x_of("    homing:\n      positive_direction: no\n").max == 300);
+  CHECK(x_of("    homing:\n      positive_direction: False\n").min == 0);
+  CHECK(x_of("    soft_limits: True\n").max == 0);
+  CHECK(x_of("    soft_limits: false\n").max == 300);
+  CHECK(made_of("f.yaml",
+                "axes:\nLaser:\n  speed_map: 0=0% 1000=100%\nPWM:\n"
+                "  speed_map: 0=0% 24000=100%\n")
+            .read.spindle.max_rpm == 24000);
+  for (const char* form : {"Kinematics:\n  CoreXY:\n", "kinematics: {CoreXY: {}}\n"})
+    CHECK(shows(refused_import("f.yaml", std::string("axes:\n") + form), "kinematics/corexy"));
+}
+
 TEST_CASE("what is wrong with a configuration of FluidNC is reported at its place",
           "[hal][import]") {
   CHECK(refused_import("f.yaml",
@@ -196,7 +214,7 @@ TEST_CASE("what is wrong with a configuration of FluidNC is reported at its plac
   CHECK(shows(refused_import("f.yaml", "axes:\n  x: {steps_per_mm: 80\n"),
               "f.yaml:2:1: error: this is no YAML: ... [SC7034]\n"));
   CHECK(shows(refused_import("f.yaml", "kinematics:\n  CoreXY:\naxes:\n"),
-              "error: ... (kinematics/CoreXY); softcnc moves Cartesian machines [SC7034]\n"));
+              "error: ... (kinematics/corexy); softcnc moves Cartesian machines [SC7034]\n"));
   const Made twice = made_of("f.yaml", "axes:\n  x:\n    max_travel_mm: 1\n    max_travel_mm: 2\n");
   CHECK(twice.read.axes[0].max == 2);
   CHECK(shows(all_of(twice.notes), "f.yaml:4:20: warning: axes/x/max_travel_mm is given twice"));

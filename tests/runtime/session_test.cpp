@@ -367,11 +367,64 @@ TEST_CASE("a move beyond the travel is refused, and the session goes on before i
   CHECK(shop.session.status() == SessionStatus::error);
   CHECK(shop.x() == 10);
   shop.session.go_on();
-  REQUIRE(shop.session.feed("G91 X1\n"));
+  REQUIRE(shop.session.feed("#1=3 G91 X5000\n"));  // nothing of it counts
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::error);
+  shop.session.go_on();
+  REQUIRE(shop.session.feed("X11\n"));
   shop.session.end();
   shop.run();
   CHECK(shop.session.status() == SessionStatus::done);
   CHECK(shop.x() == 11);
+}
+
+TEST_CASE("after an error in a curve over several lines none goes on", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G0 X0 Y0\nF600\nG5.2 X10 Y0 P1 L3\nX20 Y10 P1\nQ\n"));
+  shop.session.rest();
+  shop.run();
+  REQUIRE(shop.session.status() == SessionStatus::error);
+  shop.session.go_on();
+  REQUIRE(shop.session.feed("X30 Y0 P1\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::error);
+  CHECK(shop.session.position() == AxisVector(0, 0, 0));
+}
+
+TEST_CASE("after an error the contour of before is not compensated again", "[runtime][session]") {
+  for (const char* end : {"M72\nX30\n", "X30\n"}) {
+    Shop shop;
+    REQUIRE(shop.session.feed("F600\nG41.1 D4\nG1 X10\nX20\nM70\nG40\nQ\n"));
+    shop.session.rest();
+    shop.run();
+    REQUIRE(shop.session.status() == SessionStatus::error);
+    shop.session.go_on();
+    REQUIRE(shop.session.feed(end));
+    shop.session.rest();
+    shop.run();
+    CHECK((shop.session.position() - AxisVector(30, 0, 0)).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("the state of a session has what lines without motion have set", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G10 L2 P1 X5 Y6\nG55\nG92 X0\n#100=4\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.state().work[0].origin[1] == 6);
+  CHECK(shop.session.state().active == 1);
+  CHECK(shop.session.state().shift_on);
+}
+
+TEST_CASE("an error ends a session in the commands of paper 003", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("f 600\nl 10 0\nl 1 2 3 4\nl 5 0\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.x() == 10);
 }
 
 TEST_CASE("a session begins where the machine stands, with what others have left",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `softcnc diff`: two runs side by side, whatever files they come from.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "commands/commands.hpp"
@@ -28,6 +29,13 @@ bool is_worth_showing(const runtime::RunDifference& difference, const Options& o
   return false;
 }
 
+std::string machines_remark(const ComparedPair& pair) {
+  const std::size_t differing = machine_differences(pair).size();
+  if (differing == 0) return {};
+  return fmt::format("; {} value{} of their machines", differing,
+                     differing == 1 ? " differs" : "s differ");
+}
+
 int write_junit(const Options& options, const ComparedPair& pair) {
   if (options.junit.empty()) return 0;
   clear_leftovers(options.junit);
@@ -47,7 +55,8 @@ int show(const ComparedPair& pair, const Options& options) {
                                                  : difference_text(pair, lines));
   int status = out.finish();
   if (pair.difference.same())
-    spdlog::info("{} and {} agree: {} rows", pair.a.name, pair.b.name, pair.a.rows.rows().size());
+    spdlog::info("{} and {} agree: {} rows{}", pair.a.name, pair.b.name, pair.a.rows.rows().size(),
+                 machines_remark(pair));
   else
     status = worse_status(status, kDiffers);
   return worse_status(status, write_junit(options, pair));

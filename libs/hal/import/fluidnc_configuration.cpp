@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -24,6 +25,14 @@ struct FluidSetting {
 };
 /// By their places in the tree: "axes/x/steps_per_mm".
 using FluidSettings = std::map<std::string, FluidSetting>;
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// As FluidNC reads it: whatever is not true is false.
+bool is_true(const FluidSetting& setting) { return lower_case(setting.value) == "true"; }
 
 /// Takes down the values of a document with their places. Nothing is expanded: what an anchor
 /// stands for is read where it is written, and an alias to it has no value.
@@ -46,8 +55,9 @@ class SettingsOfYaml final : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    OnScalar(mark, {}, anchor, {});
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {
+    if (!levels_.empty() && sequences_ == 0) settings_.insert({path_, {"", key_at_}});
+    end_of_value();
   }
   void OnAlias(const YAML::Mark&, YAML::anchor_t) override { end_of_value(); }
   void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
@@ -60,6 +70,7 @@ class SettingsOfYaml final : public YAML::EventHandler {
   }
   void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
                   YAML::EmitterStyle::value) override {
+    if (!path_.empty() && sequences_ == 0) settings_.insert({path_, {"", key_at_}});
     levels_.push_back({path_.size(), false});
   }
   void OnMapEnd() override {
@@ -69,7 +80,7 @@ class SettingsOfYaml final : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
                 const std::string& value) override {
     if (levels_.empty() || sequences_ > 0) return;
-    if (!levels_.back().has_key) return begin_value(value);
+    if (!levels_.back().has_key) return begin_value(value, mark);
     add({value, place(mark, value)});
     end_of_value();
   }
@@ -80,9 +91,11 @@ class SettingsOfYaml final : public YAML::EventHandler {
     bool has_key;        // whose value comes next
   };
 
-  void begin_value(const std::string& key) {
+  /// FluidNC reads keys in any case.
+  void begin_value(const std::string& key, const YAML::Mark& mark) {
     levels_.back().has_key = true;
-    path_ += (path_.empty() ? "" : "/") + key;
+    key_at_ = place(mark, key);
+    path_ += (path_.empty() ? "" : "/") + lower_case(key);
   }
 
   void end_of_value() {
@@ -92,7 +105,8 @@ class SettingsOfYaml final : public YAML::EventHandler {
   }
 
   void add(FluidSetting setting) {
-    if (settings_.contains(path_))
+    if (const auto known = settings_.find(path_);
+        known != settings_.end() && !known->second.value.empty())
       draft_.warn(Code::SC7036, setting.at, path_ + " is given twice; the last line counts");
     settings_.insert_or_assign(path_, std::move(setting));
   }
@@ -103,6 +117,7 @@ class SettingsOfYaml final : public YAML::EventHandler {
   FluidSettings settings_;
   std::vector<Level> levels_;
   std::string path_;
+  GivenAt key_at_;
   int sequences_ = 0;
 };
 
@@ -180,7 +195,7 @@ void FluidConfiguration::take_positive(const std::string& path, const std::strin
 }
 
 void FluidConfiguration::refuse_kinematics() {
-  constexpr std::string_view kKinematics = "kinematics/", kCartesian = "kinematics/Cartesian";
+  constexpr std::string_view kKinematics = "kinematics/", kCartesian = "kinematics/cartesian";
   for (const auto& [path, setting] : settings_)
     if (path.starts_with(kKinematics) && !path.starts_with(kCartesian))
       return draft_.fail(Code::SC7034, setting.at,
@@ -205,6 +220,7 @@ void FluidConfiguration::take_axis(char letter) {
 
 void FluidConfiguration::take_travel(const std::string& path, const std::string& table) {
   const auto travel = find(path + "/max_travel_mm");
+  const bool homes = settings_.contains(path + "/homing");
   const auto place = find(path + "/homing/mpos_mm");
   const auto direction = find(path + "/homing/positive_direction");
   const auto soft = find(path + "/soft_limits");
@@ -212,28 +228,30 @@ void FluidConfiguration::take_travel(const std::string& path, const std::string&
   const auto length = number(*travel, path + "/max_travel_mm");
   const auto home = place ? number(*place, path + "/homing/mpos_mm") : std::optional(0.0);
   if (!length || !home) return;
-  const bool homes = place || direction || (soft && soft->value == "true");
-  const bool upward = direction && direction->value == "false";
+  const bool bounded = homes || (soft && is_true(*soft));
+  const bool upward = direction && !is_true(*direction);
   draft_.set(table + ".min_mm", upward ? *home : *home - *length, travel->at);
-  draft_.set(table + ".max_mm", upward || !homes ? *home + *length : *home, travel->at);
+  draft_.set(table + ".max_mm", upward || !bounded ? *home + *length : *home, travel->at);
 }
 
-/// `0=0% 24000=100%`: the last speed, of whatever spindle.
+/// `0=0% 24000=100%`: the largest speed, of whatever spindles.
 void FluidConfiguration::take_speed() {
   constexpr std::string_view kMap = "/speed_map";
-  const auto found = std::find_if(settings_.begin(), settings_.end(), [&](const auto& entry) {
-    return entry.first.ends_with(kMap) && entry.first.find('/') == entry.first.size() - kMap.size();
-  });
-  if (found == settings_.end()) return;
-  std::istringstream points(found->second.value);
   std::optional<double> most;
-  for (std::string point; points >> point;) {
-    const auto speed = setting_number(point.substr(0, point.find('=')));
-    if (speed && *speed >= 0) most = std::max(most.value_or(0), *speed);
+  GivenAt at;
+  for (auto entry = settings_.begin(); entry != settings_.end();) {
+    const std::string& path = entry->first;
+    const bool is_map = path.ends_with(kMap) && path.find('/') == path.size() - kMap.size();
+    std::istringstream points(is_map ? entry->second.value : std::string());
+    for (std::string point; points >> point;) {
+      const auto speed = setting_number(point.substr(0, point.find('=')));
+      if (!speed || *speed <= most.value_or(0)) continue;
+      most = speed;
+      at = entry->second.at;
+    }
+    entry = is_map ? settings_.erase(entry) : std::next(entry);
   }
-  if (!most || *most == 0) return;
-  draft_.set("spindle.max_rpm", *most, found->second.at);
-  settings_.erase(found);
+  if (most) draft_.set("spindle.max_rpm", *most, at);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@ namespace softcnc::hal {
 
 /// Takes over a configuration of FluidNC 3, as its wiki describes it: name, junction_deviation_mm
 /// (as the corner tolerance), arc_tolerance_mm (as the chord tolerance), pulse_us, dir_delay_us,
-/// the last speed of a spindle's speed_map, and of each axis steps_per_mm, max_rate_mm_per_min,
-/// acceleration_mm_per_sec2 and max_travel_mm. The travel lies below mpos_mm, or above it where
-/// the axis homes in the negative direction, as FluidNC has it; of an axis that neither homes nor
-/// has soft_limits machine zero may be anywhere in it. What is empty in the file is left out, and
-/// of a setting that is given twice the last counts (SC7036). Errors: SC7034 (no YAML, or a kind of
-/// machine that is not Cartesian), SC7035 (no number, or one that cannot be).
+/// the largest speed of the spindles' speed_maps, and of each axis steps_per_mm,
+/// max_rate_mm_per_min, acceleration_mm_per_sec2 and max_travel_mm. The travel lies below mpos_mm,
+/// or above it where the axis homes in the negative direction, as FluidNC has it; of an axis that
+/// neither homes nor has soft_limits machine zero may be anywhere in it. What is empty in the file
+/// is left out, and of a setting that is given twice the last counts (SC7036). Errors: SC7034 (no
+/// YAML, or a kind of machine that is not Cartesian), SC7035 (no number, or one that cannot be).
 void take_fluidnc_configuration(const std::string& text, const std::string& file,
                                 MachineDraft& draft);
 

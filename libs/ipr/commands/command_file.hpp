@@ -42,8 +42,9 @@ struct CommandSpline {
 class CommandFile {
  public:
   /// Makes an interpreter of commands. Everything referred to must outlive it.
-  CommandFile(Reader& reader, const Machine& machine, Diagnostics& diagnostics)
-      : reader_(reader), machine_(machine), diagnostics_(diagnostics) {}
+  CommandFile(Reader& reader, const Machine& machine, Diagnostics& diagnostics,
+              const AxisVector& start)
+      : reader_(reader), machine_(machine), diagnostics_(diagnostics), position_(start) {}
 
   /// Returns the next block; the last one is Action::Kind::end. As every place is relative to the
   /// one before, nothing moves after a line with an error; reading goes on to show further errors.
@@ -106,8 +107,8 @@ class CommandFile {
   SplineEnds ends_;            // of the next spline
   bool pass_numbers_ = false;  // those of a command with an error, on lines of their own
 
-  AxisVector position_ = AxisVector::Zero();  // mm
-  double feed_ = 0;                           // mm/s; 0: not set
+  AxisVector position_;  // mm
+  double feed_ = 0;      // mm/s; 0: not set
   bool feed_reported_ = false, limit_reported_ = false;
   bool lost_ = false;  // an error has left the position unknown
   bool ended_ = false;

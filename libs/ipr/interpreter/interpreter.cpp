@@ -174,7 +174,8 @@ bool Interpreter::choose_format() {
     if (reader.waiting()) return false;
     options_.format = format;
   }
-  if (options_.format == Format::commands) commands_.emplace(reader, machine_, diagnostics_);
+  if (options_.format == Format::commands)
+    commands_.emplace(reader, machine_, diagnostics_, options_.start);
   return commands_ || !options_.guess_dialect || choose_dialect();
 }
 
@@ -189,10 +190,11 @@ bool Interpreter::choose_format() {
 /// Reads lines until one has made a block; false at the end, and where the next is still to come.
 bool Interpreter::read_on() {
   if (!commands_ && parser_.line() == 0 && !choose_format()) return false;
+  if (commands_) remember();
   if (commands_) return commands_->read_on();
   for (;;) {
-    remember();
     if (out_.has_block()) return true;
+    remember();  // only now: what is made of the blocks before may be refused
     if (modal_.ended) return false;
     if (next_)
       interpret(*std::exchange(next_, std::nullopt));

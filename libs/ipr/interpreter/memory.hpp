@@ -20,15 +20,25 @@ struct Memory {
   void stand_at(const AxisVector& place) {
     while (parameters.level() > 0) parameters.pop();
     modal.saved.resize(1);
+    if (modal.saved.front()) modal.saved.front()->modes.cutter.reset();
     modal.restored.reset();
+    if (modal.curve || modal.points) modal.motion = nullptr;  // its code would begin another one
     modal.curve.reset();
     modal.points.reset();
     modal.curve_end.reset();
     modal.cutter.reset();
-    modal.beside.reset();
     modal.ended = false;
+    if (stands_beside(place)) return;
+    modal.beside.reset();
     modal.position = modal.unplaced(place);
     if (modal.placement) modal.placement->reached = place;
+  }
+
+ private:
+  /// Whether the tool is where G40 has left it.
+  bool stands_beside(const AxisVector& place) const noexcept {
+    constexpr double kSame = 1e-6;  // mm
+    return modal.beside && (modal.beside->tool - modal.unplaced(place)).norm() < kSame;
   }
 };
 

@@ -37,15 +37,14 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
 std::string meant_by(std::string_view mark, Lexer lexer) {
   if (mark == "$") return "; no spindle can be chosen, there is one";
   if (const char meant = look_alike(mark); meant != 0)
-    return meant == '-' ? "; a minus sign is '-'"
-                        : std::string("; in ASCII it is ") + meant;
+    return meant == '-' ? "; a minus sign is '-'" : std::string("; in ASCII it is ") + meant;
   const bool angle = mark == "," && lexer.peek() == 'A';
   return angle ? "; the angle of a line is not supported" : "";
 }
 
 /// `X10mm`: the letters after a number are those of a unit.
 bool is_unit(std::string_view line, const Token& letter) {
-  constexpr std::array<std::string_view, 4> kUnits{"MM", "IN", "INCH", "CM"};
+  constexpr std::array<std::string_view, 3> kUnits{"MM", "IN", "CM"};
   std::string letters(letters_at(line, letter));
   for (char& c : letters) c = upper_case(c);
   return std::find(kUnits.begin(), kUnits.end(), letters) != kUnits.end();

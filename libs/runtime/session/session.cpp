@@ -75,9 +75,23 @@ void Session::go_on() {
 }
 
 /// Where the program has not been ended by whoever feeds it, an error is not the end.
-SessionStatus Session::end_of_motion() const noexcept {
-  const bool goes_on = of_text_.errors() > 0 && !fed_ && !panel_.stop;
+SessionStatus Session::end_of_motion() noexcept {
+  const bool can_go_on = channel_->feeder().memory().format != ipr::Format::commands;
+  const bool goes_on = of_text_.errors() > 0 && can_go_on && !fed_ && !panel_.stop;
   return goes_on ? SessionStatus::error : SessionStatus::done;
+}
+
+/// Where all that has been fed has been run, lines without a block count too.
+const MachineState& Session::state() noexcept {
+  const bool is_run = (rests_ && status_ == SessionStatus::waiting) ||
+                      status_ == SessionStatus::done || status_ == SessionStatus::error;
+  return is_run && !panel_.stop ? channel_->feeder().memory().modal.state
+                                : channel_->feeder().states().present();
+}
+
+void Session::rest() noexcept {
+  rests_ = true;
+  channel_->come_to_rest();
 }
 
 /// As a row of the whole session.
@@ -92,6 +106,7 @@ Setpoint Session::counted_on(Setpoint setpoint) const noexcept {
 Status Session::feed(std::string_view text) {
   if (!takes_more()) return {};
   if (Status fed = reader_.feed(text); !fed) return fed;
+  rests_ = false;
   lines_ += static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   if (status_ == SessionStatus::waiting) status_ = SessionStatus::running;
   return {};

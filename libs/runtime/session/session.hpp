@@ -64,12 +64,13 @@ class Session {
   /// After an error, as a control does when its operator has read it: what has been fed and was not
   /// run is forgotten, modes, offsets and variables are those behind the last line without an
   /// error, the machine stays where it stands, and more can be fed. A subprogram, a curve over
-  /// several lines and cutter compensation end. Ignored unless the status is `error`.
+  /// several lines and cutter compensation end. Ignored unless the status is `error`. A program in
+  /// the commands of paper 003 is `done` after an error.
   void go_on();
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
   /// where they are.
-  void rest() noexcept { channel_->come_to_rest(); }
+  void rest() noexcept;
 
   /// Moves the machine by one period and returns the row; nothing unless the status is then
   /// `running`. Throws only std::bad_alloc.
@@ -95,13 +96,13 @@ class Session {
   Measured measured() const noexcept { return verification_->measured(); }
   std::optional<ContourReport> contour() const;
   /// Returns offsets, modes and position as programs that follow find them.
-  const MachineState& state() noexcept { return channel_->feeder().states().present(); }
+  const MachineState& state() noexcept;
   /// Returns where the last row was, mm; before the first one, where the session begins.
   const AxisVector& position() const noexcept { return last_.position; }
 
  private:
   void begin();
-  SessionStatus end_of_motion() const noexcept;
+  SessionStatus end_of_motion() noexcept;
   Setpoint counted_on(Setpoint setpoint) const noexcept;
   bool is_to_pause() noexcept;
   void answer_requests() noexcept;
@@ -121,6 +122,7 @@ class Session {
   std::vector<double> values_;
   ipo::FeedControl asked_;
   bool fed_ = false;      // all there is
+  bool rests_ = false;    // where what has been fed ends
   bool ask_ = false;      // and the channel does not know of it yet
   double planned_s_ = 0;  // mm: of the last row
   int pushed_ = 0;        // the number of the last block that was fed
