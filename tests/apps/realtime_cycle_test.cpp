@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "apps/shell.hpp"
-#include "job/run_diagnostics.hpp"
+#include "runtime/run/judge.hpp"
 #include "support/period.hpp"
 #include "support/shown.hpp"
 
@@ -94,11 +94,11 @@ TEST_CASE("periods missed are an error with real-time rights, a warning without"
           "[apps][realtime][code]") {
   runtime::Punctuality punctuality{runtime::Lateness(1'000'000), 1, {true, true, {}}};
   for (const std::int64_t late : {20'000, 1'500'000, 30'000}) punctuality.lateness.add(late);
-  CHECK(render(missed_periods(punctuality, "part.nc")) ==
+  CHECK(render(runtime::missed_periods(punctuality, "part.nc")) ==
         "part.nc: error: 2 of 3 periods were missed; the latest came 1500.0 us late [SC5040]\n");
   punctuality.unplanned = 0;
   punctuality.rights.locked = false;
-  CHECK(render(missed_periods(punctuality, "part.nc")) ==
+  CHECK(render(runtime::missed_periods(punctuality, "part.nc")) ==
         "part.nc: warning: 1 of 3 periods was missed; the latest came 1500.0 us late [SC5041]\n");
 }
 

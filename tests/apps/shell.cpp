@@ -100,14 +100,19 @@ Trace parse_trace(const std::string& text) {
   return trace;
 }
 
-Ended on_terminal(const std::string& command, const std::string& answer) {
-  int terminal = -1;
-  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-  REQUIRE(child >= 0);
-  if (child == 0) {
+OwnTerminal start_on_terminal(const std::string& command) {
+  OwnTerminal started;
+  started.child = ::forkpty(&started.terminal, nullptr, nullptr, nullptr);
+  REQUIRE(started.child >= 0);
+  if (started.child == 0) {
     ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     ::_exit(127);
   }
+  return started;
+}
+
+Ended on_terminal(const std::string& command, const std::string& answer) {
+  const auto [terminal, child] = start_on_terminal(command);
   Ended ended;
   std::array<char, 4096> piece{};
   const std::string prompt = "press Enter ";

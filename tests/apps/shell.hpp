@@ -27,6 +27,13 @@ inline Ended call(const std::string& arguments, const std::string& input = {}) {
   return shell("$softcnc " + arguments, input);
 }
 
+/// A shell command on a terminal of its own: what the test reads, writes and closes, and the
+/// process.
+struct OwnTerminal {
+  int terminal = -1, child = -1;
+};
+OwnTerminal start_on_terminal(const std::string& command);
+
 /// An answer that closes the terminal at the first prompt.
 inline const std::string kHangUp;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Nobody reads what is said: a run goes on, and ends by its own status.
-#include <pty.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -113,13 +112,7 @@ int hung_up(const Folder& folder, const std::string& options) {
                               " run --realtime long.nc --trace t.csv "
                               "--report r.json --state s.toml " +
                               options;
-  int terminal = -1;
-  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    ::_exit(127);
-  }
+  const auto [terminal, child] = start_on_terminal(command);
   const auto moves = [&] {
     for (const std::string& name : folder.files())
       if (name.starts_with(".t.csv.softcnc-")) return true;

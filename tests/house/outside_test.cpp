@@ -31,12 +31,9 @@ const Keepers kKeepers{
 };
 
 /// What the application leaves to the libraries, or to one folder of its own.
-const Keepers kLeftToLibraries{{"toml++/", {}},
-                               {"xxhash.h", {}},
-                               {"zip.h", {}},
-                               {"yaml-cpp/", {}},
-                               {"linux/", {}},
-                               {"cairo", {"softcnc/pictures"}}};
+const Keepers kLeftToLibraries{{"toml++/", {}}, {"xxhash.h", {}},
+                               {"zip.h", {}},   {"yaml-cpp/", {}},
+                               {"linux/", {}},  {"cairo", {"softcnc/pictures"}}};
 
 /// What no library does: print, read the environment, share ownership, or differ by an option.
 const std::vector<std::string> kForbidden{"std::cout", "std::cerr",      "std::clog", "std::printf",

@@ -6,7 +6,6 @@
 #include "hal/backends/backend.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "job/job.hpp"
-#include "recording/recording.hpp"
 #include "runtime/history/read_trace.hpp"
 #include "runtime/history/run_rows.hpp"
 #include "runtime/run/run.hpp"
@@ -15,12 +14,13 @@
 namespace softcnc::app {
 namespace {
 
-/// Nothing where a later version has written it.
-std::optional<Machine> recorded_machine(const std::string& file) {
+/// The machine is not known where a later version has written it.
+Status read_recording(const std::string& file, ComparedRun& run) {
   const auto recording = Recording::open(file);
-  if (!recording) return std::nullopt;
-  auto machine = hal::parse_machine(recording->machine(), file, {});
-  return machine ? std::optional(std::move(*machine)) : std::nullopt;
+  if (!recording) return tl::make_unexpected(recording.error());
+  if (auto machine = hal::parse_machine(recording->machine(), file, {}))
+    run.machine = std::move(*machine);
+  return read_rows(*recording, file, run.rows);
 }
 
 Status read_trace_file(const std::string& file, runtime::RowStore& rows) {
@@ -56,13 +56,11 @@ Result<int> run_program(const std::string& file, Options options, ComparedRun& r
 
 }  // namespace
 
-Status read_recording(const std::string& file, runtime::RowStore& rows) {
-  const auto recording = Recording::open(file);
-  if (!recording) return tl::make_unexpected(recording.error());
-  if (Status good = recording->check_trace(); !good) return good;
-  auto trace = recording->trace();
+Status read_rows(const Recording& recording, const std::string& name, runtime::RowStore& rows) {
+  if (Status good = recording.check_trace(); !good) return good;
+  auto trace = recording.trace();
   if (!trace) return tl::make_unexpected(std::move(trace.error()));
-  const auto facts = runtime::read_trace(std::move(*trace), file, rows);
+  const auto facts = runtime::read_trace(std::move(*trace), name, rows);
   if (!facts) return tl::make_unexpected(facts.error());
   return rows.finish(facts->period);
 }
@@ -76,14 +74,13 @@ Result<ComparedRun> read_compared(const std::string& file, const Options& option
     run.status = *status;
     return run;
   }
-  const Status read = run.kind == InputKind::trace ? read_trace_file(file, run.rows)
-                                                   : read_recording(file, run.rows);
+  const Status read =
+      run.kind == InputKind::trace ? read_trace_file(file, run.rows) : read_recording(file, run);
   if (!read) {
     Diagnostic error = read.error();
     if (error.file.empty()) error.file = run.name;
     return tl::make_unexpected(std::move(error));
   }
-  if (run.kind == InputKind::recording) run.machine = recorded_machine(file);
   return run;
 }
 

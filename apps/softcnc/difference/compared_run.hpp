@@ -8,6 +8,7 @@
 #include "input/reported_run.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
+#include "recording/recording.hpp"
 #include "runtime/difference/row_store.hpp"
 #include "settings/options.hpp"
 
@@ -21,8 +22,9 @@ struct ComparedRun {
   int status = 0;  // exit status; other than 0: what is wrong has been shown, and nothing compared
 };
 
-/// Reads the rows of a recording, and ends them. Errors: SC6003, SC60xx of reading.
-Status read_recording(const std::string& file, runtime::RowStore& rows);
+/// Reads the rows of a recording, and ends them; `name` stands for its file. Errors: SC6003, SC60xx
+/// of reading.
+Status read_rows(const Recording& recording, const std::string& name, runtime::RowStore& rows);
 
 /// Reads a trace, or that of a recording, or runs a program as `report` does. What is wrong
 /// with a program is shown, and is in the status. Errors: those of reading, SC60xx and SC70xx.

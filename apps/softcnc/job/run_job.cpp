@@ -9,7 +9,6 @@
 
 #include "job/open_player.hpp"
 #include "job/preflight.hpp"
-#include "job/run_diagnostics.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
 #include "runtime/check/corner_cost.hpp"
@@ -162,7 +161,7 @@ void JobRunner::judge_punctuality() {
   if (!rights.all())
     messages_.show({.code = Code::SC6075, .message = "no real-time rights: " + rights.refusal});
   if (punctuality.overruns() == 0) return;
-  const Diagnostic missed = missed_periods(punctuality, job_.program.name());
+  const Diagnostic missed = runtime::missed_periods(punctuality, job_.program.name());
   messages_.show(missed);
   result_.status = worse_status(result_.status, exit_status(missed));
 }

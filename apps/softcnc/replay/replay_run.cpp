@@ -208,10 +208,10 @@ Status Replay::judge(const Material& material, const TraceComparison& comparison
 
 /// Another run, compared as a whole: what the difference means comes before the row that shows it.
 Status Replay::add_effect() {
-  runtime::RowStore recorded, here;
-  if (!read_recording(file_, recorded)) return {};  // a damaged trace differs in its row alone
   auto material = open_material(file_, options_);
   if (!material) return tl::make_unexpected(std::move(material.error()));
+  runtime::RowStore recorded, here;
+  if (!read_rows(material->recording, file_, recorded)) return {};  // damaged: its row stands alone
   const double period = material->machine.control.period;
   Terminal terminal(options_.progress, false, period);
   runtime::RunRows rows(here, false);

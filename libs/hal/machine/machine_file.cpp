@@ -136,20 +136,30 @@ tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
   return found;
 }
 
+namespace {
+
+/// Visits the path, the value and the key of each value, in the order of the table.
+template <typename Visit>
+void for_each_value(Machine& machine, Visit&& visit) {
+  for (const KeyRef& ref : all_instances(machine))
+    visit(path_of(ref), value_text(ref, machine), *ref.key);
+  for (const DeviceValue& value : device_values(machine))
+    visit(value.path, value.value, *value.key);
+}
+
+}  // namespace
+
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
     const std::string& file, std::span<const std::string> settings) {
   auto loaded = load_file(file, settings);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
   loaded->machine = with_whole_paths(std::move(loaded->machine));
   std::vector<EffectiveValue> values;
-  for (const KeyRef& ref : all_instances(loaded->machine)) {
-    const std::string path = path_of(ref);
-    values.push_back({path, value_text(ref, loaded->machine), std::string(ref.key->unit),
-                      origin_of(*loaded, path), std::string(ref.key->meaning)});
-  }
-  for (const DeviceValue& value : device_values(loaded->machine))
-    values.push_back({value.path, value.value, std::string(value.key->unit),
-                      origin_of(*loaded, value.path), std::string(value.key->meaning)});
+  for_each_value(loaded->machine,
+                 [&](const std::string& path, const std::string& value, const auto& key) {
+                   values.push_back({path, value, std::string(key.unit), origin_of(*loaded, path),
+                                     std::string(key.meaning)});
+                 });
   return values;
 }
 
@@ -158,10 +168,9 @@ namespace {
 /// Keys and values, in the order of the table.
 std::vector<std::pair<std::string, std::string>> values_of(Machine machine) {
   std::vector<std::pair<std::string, std::string>> values;
-  for (const KeyRef& ref : all_instances(machine))
-    values.emplace_back(path_of(ref), value_text(ref, machine));
-  for (const DeviceValue& value : device_values(machine))
-    values.emplace_back(value.path, value.value);
+  for_each_value(machine, [&](const std::string& path, const std::string& value, const auto&) {
+    values.emplace_back(path, value);
+  });
   return values;
 }
 
@@ -193,19 +202,14 @@ namespace {
 
 std::string toml_of(Machine machine, bool explained) {
   std::string text, section;
-  const auto add = [&](const std::string& path, const std::string& value,
-                       std::string_view meaning) {
+  for_each_value(machine, [&](const std::string& path, const std::string& value, const auto& key) {
     const auto dot = path.rfind('.');
     const std::string table = dot == path.npos ? "" : path.substr(0, dot);
     if (table != section) text += "\n[" + table + "]\n";
     section = table;
-    if (explained) text += "# " + std::string(meaning) + '\n';
+    if (explained) text += "# " + std::string(key.meaning) + '\n';
     text += path.substr(dot + 1) + " = " + value + '\n';
-  };
-  for (const KeyRef& ref : all_instances(machine))
-    add(path_of(ref), value_text(ref, machine), ref.key->meaning);
-  for (const DeviceValue& value : device_values(machine))
-    add(value.path, value.value, value.key->meaning);
+  });
   return text;
 }
 

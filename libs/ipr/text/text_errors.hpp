@@ -20,8 +20,8 @@ std::string in_quotes(std::string_view text);
 /// ASCII, or the value of its byte.
 std::string character_name(std::string_view character);
 
-/// Returns the ASCII character that a character beyond ASCII looks like, dashes and letters of other
-/// alphabets and widths among them; 0 if there is none.
+/// Returns the ASCII character that a character beyond ASCII looks like, dashes and letters of
+/// other alphabets and widths among them; 0 if there is none.
 char look_alike(std::string_view character) noexcept;
 
 /// Returns "UTF-16" or "UTF-32" if the text shows its byte order mark, or a zero byte beside its

@@ -117,4 +117,14 @@ std::optional<Diagnostic> contour_excess(const Machine& machine, const ContourRe
                         um_from_mm(worst.max), worst.time, um_from_mm(tolerance), um_from_mm(blu))};
 }
 
+Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program) {
+  const std::int64_t overruns = punctuality.overruns();
+  return {
+      .code = punctuality.rights.all() ? Code::SC5040 : Code::SC5041,
+      .message = fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
+                             punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
+                             static_cast<double>(punctuality.lateness.largest()) / 1e3),
+      .file = program};
+}
+
 }  // namespace softcnc::runtime

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
 #include "motion/verification/contour_report.hpp"
+#include "runtime/realtime/realtime_cycle.hpp"
 #include "runtime/session/outcome.hpp"
 
 namespace softcnc::runtime {
@@ -42,5 +44,9 @@ std::vector<Diagnostic> lag_misfits(const Machine& machine, std::span<const doub
 /// Describes a contour error of cutting moves beyond control.contour_tolerance_um and the BLU of
 /// the coarsest axis: SC5061; nothing where there is none, or no tolerance.
 std::optional<Diagnostic> contour_excess(const Machine& machine, const ContourReport& contour);
+
+/// Describes missed periods, of which there must be some: SC5040, or SC5041 where the real-time
+/// rights were missing.
+Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program);
 
 }  // namespace softcnc::runtime
