@@ -95,6 +95,41 @@ test('keys turn the path in space', async () => {
   assert.ok(Math.hypot(turned.x - before.x, turned.y - before.y) > 3);
 });
 
+test('keys look at the path from its sides, and a turn leaves them', async () => {
+  const menu = page.getByLabel('Look at the path from');
+  const { period_s: period, setpoints } = readReport(report('loops')).report.runs[0];
+  const rows = Array.from({ length: 12 }, (_, k) => Math.round((k + 1) * setpoints / 13));
+  const places = () => Promise.all(rows.map((row) => placeOfRow(page, row)));
+  const at = await Promise.all(rows.map((row) => ask(page, 'positionAt', row * period)));
+  for (const [key, side, right, up] of [['T', 'top', 'x', 'y'], ['F', 'front', 'x', 'z'],
+    ['R', 'right', 'y', 'z']]) {
+    await press(key);
+    assert.equal(await menu.inputValue(), side);
+    const seen = await places();
+    const scale = scaleOf(seen, at, right);
+    seen.forEach(({ x, y }, k) => {
+      const off = Math.hypot(x - seen[0].x - scale * (at[k][right] - at[0][right]),
+        y - seen[0].y + scale * (at[k][up] - at[0][up]));
+      assert.ok(off < 0.1, `${side}: ${off} px`);
+    });
+  }
+  await press('I');
+  assert.equal(await menu.inputValue(), 'isometric');
+  await page.locator(kPath).focus();
+  await press('ArrowLeft');
+  assert.equal(await menu.inputValue(), '');
+  await menu.selectOption('front');
+  assert.equal(await page.getByRole('button', { name: '3-D' }).getAttribute('aria-pressed'), 'true');
+  await press('2');
+  assert.equal(await menu.inputValue(), '');
+});
+
+/** Returns the pixels per mm along an axis that lies in the screen. */
+function scaleOf(seen, at, axis) {
+  const spread = (values) => Math.max(...values) - Math.min(...values);
+  return spread(seen.map(({ x }) => x)) / spread(at.map((place) => place[axis]));
+}
+
 test('keys change colours, theme and panel', async () => {
   const menu = page.getByLabel('Colour the path by');
   const first = await menu.inputValue();
@@ -117,6 +152,7 @@ test('a key lists the keys', async () => {
   const dialog = page.getByRole('dialog');
   assert.ok(await dialog.isVisible());
   assert.match(await dialog.innerText(), /play or pause/);
+  assert.match(await dialog.innerText(), /T F R I\s+path in space from the top/);
   await press('Escape');
   assert.ok(!await dialog.isVisible());
 });

@@ -80,6 +80,22 @@ test('the directions of the screen are perpendicular and of length 1 however it 
   }
 });
 
+test('a side shows the faces that it looks along as lines', () => {
+  const shown = camera('2d');
+  const seen = (side) => {
+    shown.lookFrom(side);
+    return [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => shown.project(...axis))
+      .map(([x, y]) => [x - 400, 300 - y]);
+  };
+  assert.deepEqual(seen('top'), [[1, 0], [0, 1], [0, 0]]);
+  assert.deepEqual(seen('front'), [[1, 0], [0, 0], [0, 1]]);
+  assert.deepEqual(seen('right'), [[0, 0], [1, 0], [0, 1]]);
+  const lengths = seen('isometric').map(([x, y]) => Math.hypot(x, y));
+  lengths.forEach((length) => assert.ok(Math.abs(length - Math.sqrt(2 / 3)) < 1e-12));
+  assert.deepEqual(shown.basis().towards.map(Math.sign), [1, -1, 1]);
+  assert.equal(shown.mode, '3d');
+});
+
 test('what is left out of a level lies within its error of what is drawn', () => {
   const layer = wavy(3000);
   const path = new PathLevels(layer, [1050, 500, 0]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page.
+import type {Side} from '../../view/common/camera.ts';
 import type {Charts} from '../charts/charts.ts';
 import type {Session} from '../common/session.ts';
 import type {PathPanel} from '../pictures/path_panel.ts';
@@ -23,6 +24,13 @@ export interface Parts {
   tabs: Tabs;
   help: () => void;
 }
+
+const SIDES: Record<string, Side> = {
+  T: 'top',
+  F: 'front',
+  R: 'right',
+  I: 'isometric'
+};
 
 const SMALL = 0.01;  // of what the charts show
 const LARGE = 0.1;
@@ -110,6 +118,11 @@ function pictureKeys({session, path, surface}: Parts): Shortcut[] {
       keys: ['2', '3'],
       what: 'path from above, or in space',
       run: ({key}) => path.setMode(key === '2' ? '2d' : '3d')
+    },
+    {
+      keys: Object.keys(SIDES),
+      what: 'path in space from the top, the front, the right, or isometric (with Shift)',
+      run: ({key}) => path.lookFrom(SIDES[key]!)
     },
     {
       keys: ['f'],

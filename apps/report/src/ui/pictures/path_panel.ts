@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The path with its menus, legend and the description of what the pointer is at.
+import type {Side} from '../../view/common/camera.ts';
 import {createPathView, type PathView} from '../../view/path/path_view.ts';
 import {Choice, el, fill, select, swatch} from '../common/dom.ts';
 import {limitColour, limitName} from '../common/limits.ts';
@@ -9,6 +10,9 @@ import {dim, visibleNodes} from './filters.ts';
 import {legend} from './legend.ts';
 import {hasDepth, layerOf} from './path_layers.ts';
 import {placeTip, tipLines} from './path_tip.ts';
+
+const SIDES: Array<[Side, string]> =
+    [['top', 'Top'], ['front', 'Front'], ['right', 'Right'], ['isometric', 'Isometric']];
 
 const REST_MS = 200;  // after the last step of a zoom
 
@@ -21,6 +25,7 @@ export class PathPanel {
   private readonly tip = el('div', {class: 'tip', role: 'tooltip'});
   private readonly tools = el('div', {class: 'tools'});
   private readonly mode: Choice;
+  private readonly sides: HTMLSelectElement;
   private menu?: HTMLSelectElement;
   private flat: boolean;
   private pending = 0;
@@ -32,6 +37,9 @@ export class PathPanel {
     this.mode = new Choice(
         'View', [['2d', '2-D'], ['3d', '3-D']], this.flat ? '2d' : '3d',
         (mode) => this.setMode(mode as '2d' | '3d'));
+    this.sides = select(
+        'Look at the path from (Shift+T, F, R, I)', [['', 'View'], ...SIDES], '',
+        (side) => this.lookFrom(side as Side | ''));
     this.element =
         el('div', {class: 'path', role: 'region', 'aria-label': 'Path'}, this.tools, this.legend,
            el('div', {class: 'stage'}, this.canvas, this.tip));
@@ -64,7 +72,17 @@ export class PathPanel {
   setMode(mode: '2d'|'3d'): void {
     this.flat = mode === '2d';
     this.mode.press(mode);
+    this.sides.value = '';
     this.view?.setMode(mode);
+  }
+
+  /** Looks at the path in space from a side; an empty one leaves the picture as it is. */
+  lookFrom(side: Side|''): void {
+    if (!side) return;
+    this.flat = false;
+    this.mode.press('3d');
+    this.sides.value = side;
+    this.view?.lookFrom(side);
   }
 
   fit(): void {
@@ -81,6 +99,7 @@ export class PathPanel {
   private create(): PathView|null {
     try {
       const view = createPathView(this.canvas);
+      view.onTurn(() => (this.sides.value = ''));
       view.onPick((hit) => hit && this.pick(hit.layer, hit.row));
       view.onHover((hit, event) => this.hover(hit, event));
       return view;
@@ -99,7 +118,7 @@ export class PathPanel {
         (id) => session.setQuantity(id as QuantityId));
     fill(
         this.tools, el('label', {}, el('span', {class: 'word'}, 'Colour'), this.menu),
-        this.mode.element,
+        this.mode.element, this.sides,
         el('button', {type: 'button', onclick: () => this.fit(), title: 'Show the whole path (f)'},
            'Fit'),
         this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip());

@@ -24,29 +24,48 @@ export interface Basis {
   towards: Vector;
 }
 
+/** A direction that a picture in space is looked at from; `isometric` is from the front right. */
+export type Side = 'top' | 'front' | 'right' | 'isometric';
+
+/** Where the viewer is: turned about z, and above the horizon; in radians. */
+interface Direction {
+  yaw: number;
+  elevation: number;
+}
+
+const kSides: Record<Side, Direction> = {
+  top: { yaw: 0, elevation: Math.PI / 2 },
+  front: { yaw: 0, elevation: 0 },
+  right: { yaw: Math.PI / 2, elevation: 0 },
+  isometric: { yaw: Math.PI / 4, elevation: Math.atan(Math.SQRT1_2) },
+};
+
 const kLargestScale = 2e4; // CSS px per mm: float32 positions show their steps beyond it.
 const kSmallestScale = 1e-5;
+
+/** Returns sine and cosine; those of right angles are exact, so that a face is seen as a line. */
+function sineAndCosine(angle: number): [number, number] {
+  const exact = (value: number): number => (Math.abs(value) < 1e-12 ? 0 : value);
+  return [exact(Math.sin(angle)), exact(Math.cos(angle))];
+}
 
 function dot(a: Vector, x: number, y: number, z: number): number {
   return a[0] * x + a[1] * y + a[2] * z;
 }
 
-/** An orthographic camera; `scale` is in CSS pixels per mm, the angles are in radians. */
+/** An orthographic camera; `scale` is in CSS pixels per mm. */
 export class Camera {
   mode: '2d' | '3d' = '2d';
   scale = 1;
   width = 1;
   height = 1;
   target: Vector = [0, 0, 0];
-  private yaw = 0.6;
-  private elevation = 0.6;
+  private direction: Direction = { yaw: 0.6, elevation: 0.6 };
 
   /** Returns the directions of the screen: from above in 2-D, turned by the user in 3-D. */
   basis(): Basis {
-    const yaw = this.mode === '2d' ? 0 : this.yaw;
-    const elevation = this.mode === '2d' ? Math.PI / 2 : this.elevation;
-    const c = Math.cos(yaw), s = Math.sin(yaw);
-    const ce = this.mode === '2d' ? 0 : Math.cos(elevation), se = Math.sin(elevation);
+    const { yaw, elevation } = this.mode === '2d' ? kSides.top : this.direction;
+    const [s, c] = sineAndCosine(yaw), [se, ce] = sineAndCosine(elevation);
     return { right: [c, s, 0], up: [-s * se, c * se, ce], towards: [s * ce, -c * ce, se] };
   }
 
@@ -69,11 +88,20 @@ export class Camera {
     }
   }
 
+  /** Looks at the picture in space from a side. */
+  lookFrom(side: Side): void {
+    this.mode = '3d';
+    this.direction = { ...kSides[side] };
+  }
+
   /** Turns the picture as if its front were dragged by this many CSS pixels. */
   rotate(dx: number, dy: number): void {
-    this.yaw -= dx * 0.008;
-    this.elevation += dy * 0.008;
-    this.elevation = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, this.elevation));
+    const { yaw, elevation } = this.direction;
+    const highest = Math.PI / 2;
+    this.direction = {
+      yaw: yaw - dx * 0.008,
+      elevation: Math.min(highest, Math.max(-highest, elevation + dy * 0.008)),
+    };
   }
 
   /** Changes the scale by a factor; the point at this place of the screen stays there. */

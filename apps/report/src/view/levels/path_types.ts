@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the view of a path takes and gives.
 
+import type { Side } from '../common/camera.ts';
+
 /** Numbers of one column of the nodes of a path. */
 export type Coordinates = Float32Array | Float64Array;
 
@@ -58,6 +60,10 @@ export interface PathView {
   fit(): void;
   /** Looks from above ('2d') or from a direction that the user turns ('3d'). */
   setMode(mode: '2d' | '3d'): void;
+  /** Looks in space from a side. */
+  lookFrom(side: Side): void;
+  /** Calls back when the user has turned the picture. */
+  onTurn(callback: () => void): void;
   setTheme(dark: boolean): void;
   /** Calls back at a click, with the nearest path within 10 CSS pixels. */
   onPick(callback: HitListener): void;

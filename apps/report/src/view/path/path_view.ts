@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The picture of one or two paths: camera, levels of detail, renderer, overlay and gestures.
 
-import { Camera, type Box, type Vector } from '../common/camera.ts';
-import { connectGestures, type GestureTarget } from '../common/gestures.ts';
+import { Camera, type Box, type Side, type Vector } from '../common/camera.ts';
+import { connectGestures } from '../common/gestures.ts';
 import { themeOf } from '../common/theme.ts';
 import { PathLevels } from '../levels/levels.ts';
 import type {
@@ -15,6 +15,7 @@ import { FrameNodes } from './frame_nodes.ts';
 import { MotionQuality } from './motion_quality.ts';
 import { drawOverlay, insetsOf } from './overlay.ts';
 import { Pointer } from './pointer.ts';
+import { steering } from './steering.ts';
 
 export type {
   FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
@@ -45,6 +46,7 @@ class View implements PathView {
     new Pointer(this.root, (x, y) => pick(this.paths, this.camera, x, y));
   private readonly observer: ResizeObserver;
   private readonly disconnect: () => void;
+  private turned: (() => void) | null = null;
   private paths: PathLevels[] = [];
   private centre: Vector = [0, 0, 0];
   private box: Box | null = null;
@@ -71,7 +73,11 @@ class View implements PathView {
     container.append(root);
     this.describe();
     this.theme = themeOf(false, container);
-    this.disconnect = connectGestures(root, this.gestures());
+    this.disconnect = connectGestures(root, steering(this.camera, this.pointer, {
+      moved: () => this.moved(),
+      turned: () => this.turned?.(),
+      fit: () => this.fit(),
+    }));
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(root);
     root.placeOf = (layer, row) => this.placeOf(layer, row);
@@ -122,10 +128,16 @@ class View implements PathView {
 
   setMode(mode: '2d' | '3d'): void {
     this.camera.mode = mode;
-    this.paths.forEach((path) => path.setFlat(mode === '2d'));
-    this.describe();
-    this.nodes.forget();
-    this.fit();
+    this.directed();
+  }
+
+  lookFrom(side: Side): void {
+    this.camera.lookFrom(side);
+    this.directed();
+  }
+
+  onTurn(callback: () => void): void {
+    this.turned = callback;
   }
 
   setTheme(dark: boolean): void {
@@ -165,26 +177,12 @@ class View implements PathView {
     this.paths = [];
   }
 
-  /** What gestures do: a drag turns the path in space, and moves it otherwise. */
-  private gestures(): GestureTarget {
-    return {
-      drag: (dx, dy) => {
-        if (this.camera.mode === '3d') this.camera.rotate(dx, dy);
-        else this.camera.pan(dx, dy);
-        this.moved();
-      },
-      pan: (dx, dy) => {
-        this.camera.pan(dx, dy);
-        this.moved();
-      },
-      zoom: (factor, x, y) => {
-        this.camera.zoomAt(factor, x, y);
-        this.moved();
-      },
-      fit: () => this.fit(),
-      click: (x, y, event) => this.pointer.click(x, y, event),
-      hover: (place, event) => this.pointer.hover(place, event),
-    };
+  /** Shows the paths from a direction that the user has not turned the camera to. */
+  private directed(): void {
+    this.paths.forEach((path) => path.setFlat(this.camera.mode === '2d'));
+    this.describe();
+    this.nodes.forget();
+    this.fit();
   }
 
   private placeOf(layer: number, row: number): [number, number] | null {
