@@ -52,6 +52,18 @@ export function report(name) {
   return path;
 }
 
+/** Returns the file of a report whose data `change` has changed, under a name of its own. */
+export function edited(name, as, change) {
+  const html = readFileSync(report(name), 'utf8');
+  const path = join(kFolder, `${as}.html`);
+  writeFileSync(path, html.replace(/(id="softcnc-report">)([^<]*)/, (_, tag, text) => {
+    const data = JSON.parse(text);
+    change(data);
+    return tag + JSON.stringify(data).replaceAll('<', '\\u003c');
+  }));
+  return path;
+}
+
 /** Returns the file of a CSV trace of the same run. */
 export function trace(name) {
   const path = join(kFolder, `${name}.csv`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All charts of the runs, over time or over length, with one cursor and one zoom for all.
-import {Choice, el, fill} from '../common/dom.ts';
+import {checkbox, Choice, drop, el, fill} from '../common/dom.ts';
 import {Pace} from '../common/pace.ts';
 import type {ChartAxis, Session} from '../common/session.ts';
 import {Chart} from './chart.ts';
@@ -60,24 +60,15 @@ export class Charts {
     const around = () => session.hover ?? session.row;
     const button = (text: string, title: string, onclick: () => void) =>
         el('button', {type: 'button', title, 'aria-label': title, onclick}, text);
-    const menu = el('div', {class: 'menu'});
-    const drop = el('details', {class: 'drop'}, el('summary', {}, 'Charts'), menu);
-    document.addEventListener('pointerdown', ({target}) => {
-      if (!drop.contains(target as Node)) drop.open = false;
-    });
-    drop.addEventListener('keydown', ({key}) => key === 'Escape' && (drop.open = false));
-    for (const {id, title} of this.specs)
-      menu.append(
-          el('label', {},
-             el('input',
-                {type: 'checkbox', checked: this.open.has(id), onchange: () => this.toggle(id)}),
-             title));
+    const boxes =
+        this.specs.map(({id, title}) => checkbox(this.open.has(id), () => this.toggle(id), title));
     return el(
         'div', {class: 'tools'}, this.axis.element,
         button('+', 'Zoom in (+)', () => session.zoomBy(0.5, around())),
         button('−', 'Zoom out (−)', () => session.zoomBy(2, around())),
         button('All', 'Show the whole run (0)', () => session.setZoom(null)),
-        button('Line', 'Zoom to the selected line (z)', () => this.zoomToSelection()), drop);
+        button('Line', 'Zoom to the selected line (z)', () => this.zoomToSelection()),
+        drop('Charts', ...boxes));
   }
 
   private toggle(id: string): void {

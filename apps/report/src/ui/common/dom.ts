@@ -53,6 +53,25 @@ export function select(
   return element;
 }
 
+/** Returns a button that opens a menu, which a click elsewhere closes. */
+export function drop(title: string, ...content: Child[]): HTMLElement {
+  const element = el(
+      'details', {class: 'drop'}, el('summary', {}, title), el('div', {class: 'menu'}, ...content));
+  document.addEventListener('pointerdown', ({target}) => {
+    if (!element.contains(target as Node)) element.open = false;
+  });
+  element.addEventListener('keydown', ({key}) => key === 'Escape' && (element.open = false));
+  return element;
+}
+
+/** Returns a box to be ticked, with what follows it. */
+export function checkbox(
+    checked: boolean, change: (checked: boolean) => void, ...content: Child[]): HTMLElement {
+  const box: HTMLInputElement =
+      el('input', {type: 'checkbox', checked, onchange: () => change(box.checked)});
+  return el('label', {}, box, ...content);
+}
+
 /** A group of buttons of which one is pressed. */
 export class Choice {
   readonly element: HTMLElement;

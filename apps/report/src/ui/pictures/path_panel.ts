@@ -8,6 +8,7 @@ import {coloursOf, quantitiesOf, scaleOf, toolsOf, type QuantityId} from '../com
 import type {Session} from '../common/session.ts';
 import {dim, visibleNodes} from './filters.ts';
 import {legend} from './legend.ts';
+import {Layers} from './layers.ts';
 import {hasDepth, layerOf} from './path_layers.ts';
 import {placeTip, tipLines} from './path_tip.ts';
 
@@ -25,6 +26,7 @@ export class PathPanel {
   private readonly tip = el('div', {class: 'tip', role: 'tooltip'});
   private readonly tools = el('div', {class: 'tools'});
   private readonly mode: Choice;
+  private readonly layers: Layers;
   private readonly sides: HTMLSelectElement;
   private menu?: HTMLSelectElement;
   private flat: boolean;
@@ -40,6 +42,10 @@ export class PathPanel {
     this.sides = select(
         'Look at the path from (Shift+T, F, R, I)', [['', 'View'], ...SIDES], '',
         (side) => this.lookFrom(side as Side | ''));
+    this.layers = new Layers(session, () => {
+      this.drawLayers();
+      this.fit();
+    });
     this.element =
         el('div', {class: 'path', role: 'region', 'aria-label': 'Path'}, this.tools, this.legend,
            el('div', {class: 'stage'}, this.canvas, this.tip));
@@ -48,6 +54,7 @@ export class PathPanel {
     session.on(['zoom'], () => this.colourAfterZoom());
     session.on(['filter'], () => this.filter());
     session.on(['filter', 'run'], () => this.drawTools());
+    session.on(['filter'], () => this.drawLayers());
     session.on(['selection', 'run'], () => this.highlight());
     session.on(['row', 'hover', 'run'], () => this.mark());
     this.drawTools();
@@ -65,6 +72,7 @@ export class PathPanel {
     this.view.setMode(this.flat ? '2d' : '3d');
     this.colour();
     this.filter();
+    this.drawLayers();
     this.view.fit();
     this.mark();
   }
@@ -121,7 +129,7 @@ export class PathPanel {
         this.mode.element, this.sides,
         el('button', {type: 'button', onclick: () => this.fit(), title: 'Show the whole path (f)'},
            'Fit'),
-        this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip());
+        this.layers.element, this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip());
   }
 
   private toolMenu(): HTMLElement|null {
@@ -194,6 +202,10 @@ export class PathPanel {
     const {session, view} = this;
     if (!view) return;
     session.runs.forEach((run, i) => view.setVisible(i, visibleNodes(session, run, i)));
+  }
+
+  private drawLayers(): void {
+    this.view?.setOutlines(this.layers.outlines());
   }
 
   private highlight(): void {

@@ -18,6 +18,13 @@ export interface PathLayer {
   motion: Uint8Array;
 }
 
+/** Lines beside the paths, in mm: six numbers for each edge, x1 y1 z1 x2 y2 z2. */
+export interface Outline {
+  name: string;
+  look: 'travel';
+  edges: number[];
+}
+
 /** A place on a path: the row is interpolated within the interval. */
 export interface PathHit {
   layer: number;
@@ -56,7 +63,9 @@ export interface PathView {
   highlight(ranges: PathRange[]): void;
   /** Shows the tool at this row; null removes it. */
   setMarker(layer: number, row: number | null): void;
-  /** Moves the camera so that all visible intervals are within the picture. */
+  /** Shows these outlines and no others. */
+  setOutlines(outlines: Outline[]): void;
+  /** Moves the camera so that all visible intervals and the outlines are within the picture. */
   fit(): void;
   /** Looks from above ('2d') or from a direction that the user turns ('3d'). */
   setMode(mode: '2d' | '3d'): void;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Box, dimensions, axes and the tool's marker, drawn on a canvas above the paths.
+// Box, dimensions, axes, outlines and the tool's marker, drawn on a canvas above the paths.
 
 import type { Box, Camera, Insets, Vector } from '../common/camera.ts';
 import { drawRulers, kRulerBottom, kRulerLeft, type RulerScene } from '../common/rulers.ts';
 import { label, lengthText, niceStep } from '../common/scales.ts';
 import { css, type Rgb, type Theme } from '../common/theme.ts';
+import type { Outline } from '../levels/path_types.ts';
+import { kFont, Labels, outlined } from './labels.ts';
+import { drawOutlines } from './outlines.ts';
 
-const kFont = '11px system-ui, sans-serif';
 const kBold = '600 12px system-ui, sans-serif';
 const kNames = ['X', 'Y', 'Z'] as const;
 // Colours of the axes that everyone can distinguish (Okabe and Ito, 2008): vermilion, green, blue.
@@ -24,6 +26,7 @@ export interface OverlayScene extends RulerScene {
   /** Box of all paths from `centre`, or null where nothing is drawn. */
   box: Box | null;
   markers: Vector[];
+  outlines: Outline[];
   isDark: boolean;
 }
 
@@ -33,6 +36,7 @@ export function drawOverlay(c: CanvasRenderingContext2D, camera: Camera,
   c.clearRect(0, 0, camera.width, camera.height);
   c.font = kFont;
   c.lineWidth = 1;
+  drawOutlines(c, camera, scene.theme, scene.centre, scene.outlines, labelsOf(c, camera, scene));
   if (scene.box !== null) {
     if (camera.mode === '2d') {
       drawRulers(c, camera, scene);
@@ -43,6 +47,15 @@ export function drawOverlay(c: CanvasRenderingContext2D, camera: Camera,
     }
   }
   for (const marker of scene.markers) drawMarker(c, camera, scene.theme, marker);
+}
+
+/** Returns labels that keep clear of the rulers. */
+function labelsOf(c: CanvasRenderingContext2D, camera: Camera, { theme }: OverlayScene): Labels {
+  const isFlat = camera.mode === '2d';
+  return new Labels(c, theme, {
+    left: isFlat ? kRulerLeft : 0, top: 0, right: camera.width,
+    bottom: camera.height - (isFlat ? kRulerBottom : 0),
+  });
 }
 
 function corner(box: Box, index: number): Vector {
@@ -164,18 +177,6 @@ function drawScaleBar(c: CanvasRenderingContext2D, camera: Camera, theme: Theme)
   c.textBaseline = 'bottom';
   c.fillStyle = css(theme.ink);
   outlined(c, `${label(step, step)} mm`, x + length / 2, y - 5, theme);
-}
-
-/** Writes text with an edge of the background's colour, to be read above lines. */
-function outlined(c: CanvasRenderingContext2D, text: string, x: number, y: number,
-  theme: Theme): void {
-  c.save();
-  c.strokeStyle = css(theme.background, 0.9);
-  c.lineWidth = 4;
-  c.lineJoin = 'round';
-  c.strokeText(text, x, y);
-  c.restore();
-  c.fillText(text, x, y);
 }
 
 function drawMarker(c: CanvasRenderingContext2D, camera: Camera, theme: Theme,

@@ -6,12 +6,13 @@ import { connectGestures } from '../common/gestures.ts';
 import { themeOf } from '../common/theme.ts';
 import { PathLevels } from '../levels/levels.ts';
 import type {
-  FrameFigures, HitListener, PathLayer, PathRange, PathView,
+  FrameFigures, HitListener, Outline, PathLayer, PathRange, PathView,
 } from '../levels/path_types.ts';
 import { pick, positionAtRow } from '../levels/picking.ts';
 import { centreOf, farthest, joinBoxes } from './boxes.ts';
 import { Canvases, deviceRatio } from './canvases.ts';
 import { FrameNodes } from './frame_nodes.ts';
+import { Marks } from './marks.ts';
 import { MotionQuality } from './motion_quality.ts';
 import { drawOverlay, insetsOf } from './overlay.ts';
 import { Pointer } from './pointer.ts';
@@ -50,7 +51,7 @@ class View implements PathView {
   private paths: PathLevels[] = [];
   private centre: Vector = [0, 0, 0];
   private box: Box | null = null;
-  private markers: Array<number | null> = [];
+  private readonly marks = new Marks();
   private theme = themeOf(false, document.documentElement);
   private isDark = false;
   private frame = 0;
@@ -89,7 +90,7 @@ class View implements PathView {
     this.paths = layers.map((layer) => new PathLevels(layer, this.centre));
     this.paths.forEach((path) => path.setFlat(this.camera.mode === '2d'));
     this.nodes.setPaths(this.paths);
-    this.markers = layers.map(() => null);
+    this.marks.rows = layers.map(() => null);
     this.findDrawn();
     this.fit();
   }
@@ -112,7 +113,12 @@ class View implements PathView {
   }
 
   setMarker(layer: number, row: number | null): void {
-    this.markers[layer] = row;
+    this.marks.rows[layer] = row;
+    this.schedule();
+  }
+
+  setOutlines(outlines: Outline[]): void {
+    this.marks.outlines = outlines;
     this.schedule();
   }
 
@@ -122,7 +128,8 @@ class View implements PathView {
       return;
     }
     this.wantsFit = false;
-    if (this.box !== null) this.camera.fit(this.box, insetsOf(this.camera.mode));
+    const box = joinBoxes(this.box, this.marks.box(this.centre));
+    if (box !== null) this.camera.fit(box, insetsOf(this.camera.mode));
     this.draw();
   }
 
@@ -283,15 +290,9 @@ class View implements PathView {
   private renderOverlay(): void {
     const context = this.canvases.overlayContext();
     if (context === null) return;
-    const markers: Vector[] = [];
-    this.markers.forEach((row, k) => {
-      const path = this.paths[k];
-      if (row !== null && path !== undefined && path.count > 0) {
-        markers.push(positionAtRow(path, row));
-      }
-    });
     drawOverlay(context, this.camera, {
-      box: this.box, centre: this.centre, markers, isDark: this.isDark, theme: this.theme,
+      box: this.box, centre: this.centre, markers: this.marks.tools(this.paths),
+      outlines: this.marks.outlines, isDark: this.isDark, theme: this.theme,
     });
   }
 }
