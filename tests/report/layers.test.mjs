@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Beside the path stands what a reader has asked for: the travel of the machine.
+// Beside the path stand the travel of the machine where it is asked for, the workpieces, and the
+// origins of work systems.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { ask, drawn, openReport, placeOfRow, startBrowser } from './support/browser.mjs';
@@ -8,6 +9,8 @@ import { difference, readPng } from './support/pixels.mjs';
 import { edited } from './support/reports.mjs';
 
 const kQuiet = [84, 92, 102]; // Colour of the travel on a light page.
+const kBrown = [140, 100, 40]; // Of workpieces.
+const kAxisX = [213, 94, 0];
 const kTravel = { x: [-60, 400], y: [-80, 150], z: [-100, 50] };
 let browser;
 before(async () => { browser = await startBrowser(); });
@@ -93,4 +96,45 @@ test('a path that leaves its travel shows it, and one axis alone has none', asyn
     assert.deepEqual(page.trouble, []);
     await page.context().close();
   }
+});
+
+/** Returns the edges of a box. */
+function edgesOfBox(low, high) {
+  const corner = (k) => [0, 1, 2].map((axis) => (k & (1 << axis) ? high : low)[axis]);
+  return [...Array(8).keys()].flatMap((k) => [1, 2, 4].filter((bit) => !(k & bit))
+    .flatMap((bit) => [...corner(k), ...corner(k | bit)]));
+}
+
+test('workpieces and origins are drawn until they are switched off', async () => {
+  const low = [-20, -15, -10], high = [130, 90, 0], origin = [120, 0, 0];
+  const file = edited('butterfly', 'workpiece', ({ runs }) => {
+    runs[0].workpieces = [{ name: 'plate <b>', line: 5, edges_mm: edgesOfBox(low, high) }];
+    runs[0].origins = [{ name: 'G54', at_mm: origin }, { name: 'G55', at_mm: origin }];
+  });
+  const page = await openReport(browser, file);
+  await page.keyboard.press('2');
+  await drawn(page);
+  const seen = async () => {
+    const map = await mapOf(page, file);
+    const image = readPng(await page.screenshot());
+    const [left, right] = [low[0], high[0]].map(map.x), [bottom, top] = [low[1], high[1]].map(map.y);
+    const [x, y] = [map.x(origin[0]), map.y(origin[1])];
+    return {
+      sides: [partOf(image, [left, bottom], [right, bottom], kBrown),
+        partOf(image, [right, bottom], [right, top], kBrown)],
+      axis: partOf(image, [x + 3, y], [x + 15, y], kAxisX),
+    };
+  };
+  const shown = await seen();
+  assert.ok(shown.sides.every((part) => part > 0.9), `${shown.sides}`);
+  assert.ok(shown.axis > 0.9, `${shown.axis} of an axis is drawn`);
+  await layer(page, 'Work systems');
+  assert.ok((await seen()).axis < 0.1);
+  await layer(page, 'Workpiece');
+  assert.ok((await seen()).sides.every((part) => part < 0.1));
+  await page.locator('summary', { hasText: 'Layers' }).click();
+  await page.getByRole('button', { name: 'plate <b>, line 5' }).click();
+  assert.equal((await ask(page, 'selected')).line, 5);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
 });

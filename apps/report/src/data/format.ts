@@ -83,6 +83,19 @@ export interface SurfaceData {
   rmax_mean_um: number;
 }
 
+/** The origin of a work system, in machine coordinates. */
+export interface OriginData {
+  name: string;  // G54
+  at_mm: [number, number, number];
+}
+
+/** What a program states of its workpiece. */
+export interface WorkpieceData {
+  name: string;
+  line: number;        // of the program that states it
+  edges_mm: number[];  // x1 y1 z1 x2 y2 z2 of each edge, in machine coordinates
+}
+
 export interface RunData {
   program: string;
   source: 'program'|'trace'|'recording';
@@ -97,6 +110,8 @@ export interface RunData {
   blocks: number;
   axes: Axis[];
   axis_limits: AxisLimit[];
+  origins?: OriginData[];
+  workpieces?: WorkpieceData[];
   limits: string[];
   time_by_limit_s: Array<{limit: string; seconds: number}>;
   tools: ToolTime[];

@@ -1,62 +1,77 @@
 // SPDX-License-Identifier: MIT
-// What the picture of the path shows beside the path, and the menu of it.
-import {extentOf, leavesTravel, travelEdges, travelOf} from '../../data/travel.ts';
-import type {Outline} from '../../view/levels/path_types.ts';
-import {checkbox, drop, el} from '../common/dom.ts';
+// The menu of what the picture of the path shows beside the path.
+import {leavesTravel} from '../../data/travel.ts';
+import type {Scenery} from '../../view/levels/path_types.ts';
+import {checkbox, type Child, drop, el} from '../common/dom.ts';
+import * as numbers from '../common/numbers.ts';
 import type {Session} from '../common/session.ts';
+import {namedOutlines, originsOf, travelsOf, workpiecesOf, type RunOutline} from './scenery.ts';
 
-type LayerId = 'travel';
+const MOST_LINKS = 8;  // to lines that state workpieces
 
-/** An outline of a run, with its number. */
-interface Drawn extends Outline {
-  run: number;
-}
+type LayerId = 'travel'|'workpiece'|'origins';
 
 export class Layers {
   /** The menu, or null where there is nothing to choose. */
   readonly element: HTMLElement|null;
   private readonly session: Session;
-  private readonly travel: Drawn[];
-  private readonly on = new Set<LayerId>();
+  private readonly travels: RunOutline[];
+  private readonly workpieces: RunOutline[];
+  private readonly on = new Set<LayerId>(['workpiece', 'origins']);
 
-  /** Calls `changed` when something else is to be shown. */
-  constructor(session: Session, changed: () => void) {
+  /** Calls `changed` when something else is to be shown; `fits` where a fit takes it in. */
+  constructor(session: Session, changed: (fits: boolean) => void) {
     this.session = session;
-    this.travel = travels(session);
+    this.travels = travelsOf(session.runs);
+    this.workpieces = workpiecesOf(session.runs);
     if (session.runs.some(leavesTravel)) this.on.add('travel');
-    const box = (id: LayerId, text: string) => checkbox(this.on.has(id), (checked) => {
+    const boxes = [
+      this.travels.length > 0 && this.box('travel', 'Travel of the machine', changed),
+      this.workpieces.length > 0 && this.box('workpiece', 'Workpiece', changed),
+      ...this.links(),
+      session.runs.some(({data}) => data.origins?.length) &&
+          this.box('origins', 'Work systems', changed),
+    ];
+    this.element = boxes.some(Boolean) ? drop('Layers', ...boxes) : null;
+  }
+
+  /** What is shown. */
+  scenery(): Scenery {
+    const {on, session: {runs, shown}} = this;
+    return {
+      outlines: [
+        ...namedOutlines(on.has('travel') ? this.travels : [], shown),
+        ...namedOutlines(on.has('workpiece') ? this.workpieces : [], shown)
+      ],
+      origins: on.has('origins') ? originsOf(runs, shown) : [],
+    };
+  }
+
+  private box(id: LayerId, text: string, changed: (fits: boolean) => void): HTMLElement {
+    const change = (checked: boolean) => {
       if (checked)
         this.on.add(id);
       else
         this.on.delete(id);
-      changed();
-    }, el('span', {class: `sample ${id}`, 'aria-hidden': 'true'}), text);
-    const boxes = [this.travel.length > 0 && box('travel', 'Travel of the machine')];
-    this.element = boxes.some(Boolean) ? drop('Layers', ...boxes) : null;
+      changed(id !== 'origins');
+    };
+    return checkbox(
+        this.on.has(id), change, el('span', {class: `sample ${id}`, 'aria-hidden': 'true'}), text);
   }
 
-  /** The outlines that are shown. */
-  outlines(): Outline[] {
-    return this.on.has('travel') ? named(this.session, this.travel) : [];
+  /** Buttons that lead to the lines that state the workpieces. */
+  private links(): Child[] {
+    const {session} = this;
+    return this.workpieces.filter(({line}) => line > 0)
+        .slice(0, MOST_LINKS)
+        .map(({run, name, line}) => el('button', {
+               type: 'button',
+               class: 'link',
+               onclick: () => {
+                 if (session.active !== run) session.setActive(run);
+                 session.select({file: 0, line});
+               }
+             },
+                 `${name}, line ${numbers.count(line)}`));
   }
-}
-
-function travels({runs}: Session): Drawn[] {
-  return runs.flatMap((run, index) => {
-    const travel = travelOf(run.data.axis_limits);
-    const extent = extentOf(run);
-    if (!travel || !extent) return [];
-    return [{run: index, name: 'travel', look: 'travel', edges: travelEdges(travel, extent)}];
-  });
-}
-
-/** The outlines of the runs that are shown; one that both runs have is drawn once. */
-function named({shown}: Session, all: Drawn[]): Outline[] {
-  const drawn = all.filter(({run}) => shown[run]);
-  const twin = (one: Drawn) => drawn.find(
-      (other) => other.run !== one.run && other.name === one.name &&
-          other.edges.join() === one.edges.join());
-  const several = drawn.some(({run}) => run !== drawn[0]!.run);
-  return drawn.filter((one) => (twin(one)?.run ?? one.run) >= one.run)
-      .map((one) => (!several || twin(one) ? one : {...one, name: `${one.name} ${'AB'[one.run]}`}));
 }

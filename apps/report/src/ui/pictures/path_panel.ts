@@ -42,9 +42,9 @@ export class PathPanel {
     this.sides = select(
         'Look at the path from (Shift+T, F, R, I)', [['', 'View'], ...SIDES], '',
         (side) => this.lookFrom(side as Side | ''));
-    this.layers = new Layers(session, () => {
+    this.layers = new Layers(session, (fits) => {
       this.drawLayers();
-      this.fit();
+      if (fits) this.fit();
     });
     this.element =
         el('div', {class: 'path', role: 'region', 'aria-label': 'Path'}, this.tools, this.legend,
@@ -205,7 +205,7 @@ export class PathPanel {
   }
 
   private drawLayers(): void {
-    this.view?.setOutlines(this.layers.outlines());
+    this.view?.setScenery(this.layers.scenery());
   }
 
   private highlight(): void {

@@ -10,6 +10,7 @@ export interface Theme {
   quiet: Rgb;
   grid: Rgb;
   rapid: Rgb;
+  workpiece: Rgb;
   /** Inner and outer colour of highlighted stretches and of the tool's marker. */
   highlight: Rgb;
   casing: Rgb;
@@ -21,6 +22,7 @@ export const kLight: Theme = {
   quiet: [84, 92, 102],
   grid: [222, 226, 231],
   rapid: [132, 140, 150],
+  workpiece: [140, 100, 40],
   highlight: [255, 45, 155],
   casing: [16, 18, 22],
 };
@@ -31,6 +33,7 @@ export const kDark: Theme = {
   quiet: [166, 174, 184],
   grid: [52, 58, 66],
   rapid: [122, 131, 142],
+  workpiece: [208, 170, 110],
   highlight: [255, 74, 170],
   casing: [255, 255, 255],
 };

@@ -21,8 +21,20 @@ export interface PathLayer {
 /** Lines beside the paths, in mm: six numbers for each edge, x1 y1 z1 x2 y2 z2. */
 export interface Outline {
   name: string;
-  look: 'travel';
+  look: 'travel' | 'workpiece';
   edges: number[];
+}
+
+/** The origin of a work system, in mm. */
+export interface Origin {
+  name: string;
+  at: [number, number, number];
+}
+
+/** What stands beside the paths. */
+export interface Scenery {
+  outlines: Outline[];
+  origins: Origin[];
 }
 
 /** A place on a path: the row is interpolated within the interval. */
@@ -63,8 +75,8 @@ export interface PathView {
   highlight(ranges: PathRange[]): void;
   /** Shows the tool at this row; null removes it. */
   setMarker(layer: number, row: number | null): void;
-  /** Shows these outlines and no others. */
-  setOutlines(outlines: Outline[]): void;
+  /** Shows this beside the paths, and nothing else. */
+  setScenery(scenery: Scenery): void;
   /** Moves the camera so that all visible intervals and the outlines are within the picture. */
   fit(): void;
   /** Looks from above ('2d') or from a direction that the user turns ('3d'). */

@@ -4,6 +4,7 @@
 import { css, type Theme } from '../common/theme.ts';
 
 export const kFont = '11px system-ui, sans-serif';
+export const kBold = '600 12px system-ui, sans-serif';
 const kHeight = 14; // CSS px.
 const kSpace = 3;
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What a picture of paths shows beside them: the tool at a row of each, and outlines.
+// What a picture of paths shows beside them: the tool at a row of each, and scenery.
 
 import type { Box, Vector } from '../common/camera.ts';
 import type { PathLevels } from '../levels/levels.ts';
-import type { Outline } from '../levels/path_types.ts';
+import type { Scenery } from '../levels/path_types.ts';
 import { positionAtRow } from '../levels/picking.ts';
 import { boxOfOutlines } from './outlines.ts';
 
 export class Marks {
   /** Row of the tool on each path; null where it is not shown. */
   rows: Array<number | null> = [];
-  outlines: Outline[] = [];
+  scenery: Scenery = { outlines: [], origins: [] };
 
   /** Returns the places of the tools. */
   tools(paths: PathLevels[]): Vector[] {
@@ -22,6 +22,6 @@ export class Marks {
 
   /** Returns what a fitted picture has to show of the outlines. */
   box(centre: Vector): Box | null {
-    return boxOfOutlines(this.outlines, centre);
+    return boxOfOutlines(this.scenery.outlines, centre);
   }
 }

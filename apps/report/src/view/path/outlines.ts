@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Thin outlines beside the paths: the travel of a machine.
+// Thin outlines beside the paths: the travel of a machine, and workpieces.
 
 import type { Box, Camera, Vector } from '../common/camera.ts';
 import { css, type Theme } from '../common/theme.ts';
 import type { Outline } from '../levels/path_types.ts';
 import type { Labels } from './labels.ts';
 
-const kDashes = { travel: [10, 3, 2, 3] };
+const kDashes = { travel: [10, 3, 2, 3], workpiece: [] };
 
 /** Returns the box of outlines from `centre`; null if there are none. */
 export function boxOfOutlines(outlines: Outline[], centre: Vector): Box | null {
@@ -47,7 +47,7 @@ export function drawOutlines(c: CanvasRenderingContext2D, camera: Camera, theme:
     for (let at = 0; at + 5 < edges.length; at += 6) {
       addLine(c, place(at), place(at + 3));
     }
-    c.strokeStyle = css(theme.quiet);
+    c.strokeStyle = css(look === 'travel' ? theme.quiet : theme.workpiece);
     c.setLineDash(kDashes[look]);
     c.stroke();
     c.setLineDash([]);

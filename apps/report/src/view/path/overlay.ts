@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Box, dimensions, axes, outlines and the tool's marker, drawn on a canvas above the paths.
+// Box, dimensions, axes, scenery and the tool's marker, drawn on a canvas above the paths.
 
 import type { Box, Camera, Insets, Vector } from '../common/camera.ts';
 import { drawRulers, kRulerBottom, kRulerLeft, type RulerScene } from '../common/rulers.ts';
 import { label, lengthText, niceStep } from '../common/scales.ts';
-import { css, type Rgb, type Theme } from '../common/theme.ts';
-import type { Outline } from '../levels/path_types.ts';
+import { css, type Theme } from '../common/theme.ts';
+import type { Scenery } from '../levels/path_types.ts';
+import { drawOrigins, drawTriad } from './axes.ts';
 import { kFont, Labels, outlined } from './labels.ts';
 import { drawOutlines } from './outlines.ts';
 
-const kBold = '600 12px system-ui, sans-serif';
 const kNames = ['X', 'Y', 'Z'] as const;
-// Colours of the axes that everyone can distinguish (Okabe and Ito, 2008): vermilion, green, blue.
-const kAxes: [Rgb, Rgb, Rgb] = [[213, 94, 0], [0, 158, 115], [0, 114, 178]];
-const kAxesDark: [Rgb, Rgb, Rgb] = [[240, 130, 50], [40, 190, 145], [86, 180, 233]];
 
 /** Returns the space that rulers and labels need at the edges. */
 export function insetsOf(mode: '2d' | '3d'): Insets {
@@ -22,11 +19,10 @@ export function insetsOf(mode: '2d' | '3d'): Insets {
 }
 
 /** What the overlay shows besides the camera. */
-export interface OverlayScene extends RulerScene {
+export interface OverlayScene extends RulerScene, Scenery {
   /** Box of all paths from `centre`, or null where nothing is drawn. */
   box: Box | null;
   markers: Vector[];
-  outlines: Outline[];
   isDark: boolean;
 }
 
@@ -36,7 +32,9 @@ export function drawOverlay(c: CanvasRenderingContext2D, camera: Camera,
   c.clearRect(0, 0, camera.width, camera.height);
   c.font = kFont;
   c.lineWidth = 1;
-  drawOutlines(c, camera, scene.theme, scene.centre, scene.outlines, labelsOf(c, camera, scene));
+  const labels = labelsOf(c, camera, scene);
+  drawOutlines(c, camera, scene.theme, scene.centre, scene.outlines, labels);
+  drawOrigins(c, camera, scene, scene.centre, scene.origins, labels);
   if (scene.box !== null) {
     if (camera.mode === '2d') {
       drawRulers(c, camera, scene);
@@ -137,28 +135,6 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
 
 function isInside(camera: Camera, [x, y]: [number, number]): boolean {
   return x > 0 && y > 0 && x < camera.width && y < camera.height;
-}
-
-function drawTriad(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScene): void {
-  const { right, up, towards } = camera.basis();
-  const x0 = 40, y0 = camera.height - 40, size = 24;
-  const colours = scene.isDark ? kAxesDark : kAxes;
-  const order = [0, 1, 2].sort((a, b) => towards[a]! - towards[b]!);
-  c.font = kBold;
-  c.textAlign = 'center';
-  c.textBaseline = 'middle';
-  c.lineWidth = 2;
-  for (const axis of order) {
-    const x = right[axis]! * size, y = -up[axis]! * size;
-    c.strokeStyle = c.fillStyle = css(colours[axis]!);
-    c.beginPath();
-    c.moveTo(x0, y0);
-    c.lineTo(x0 + x, y0 + y);
-    c.stroke();
-    const n = Math.hypot(x, y);
-    if (n > 5) outlined(c, kNames[axis]!, x0 + x + x / n * 8, y0 + y + y / n * 8, scene.theme);
-  }
-  c.lineWidth = 1;
 }
 
 function drawScaleBar(c: CanvasRenderingContext2D, camera: Camera, theme: Theme): void {

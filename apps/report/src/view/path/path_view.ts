@@ -6,7 +6,7 @@ import { connectGestures } from '../common/gestures.ts';
 import { themeOf } from '../common/theme.ts';
 import { PathLevels } from '../levels/levels.ts';
 import type {
-  FrameFigures, HitListener, Outline, PathLayer, PathRange, PathView,
+  FrameFigures, HitListener, PathLayer, PathRange, PathView, Scenery,
 } from '../levels/path_types.ts';
 import { pick, positionAtRow } from '../levels/picking.ts';
 import { centreOf, farthest, joinBoxes } from './boxes.ts';
@@ -117,8 +117,8 @@ class View implements PathView {
     this.schedule();
   }
 
-  setOutlines(outlines: Outline[]): void {
-    this.marks.outlines = outlines;
+  setScenery(scenery: Scenery): void {
+    this.marks.scenery = scenery;
     this.schedule();
   }
 
@@ -292,7 +292,7 @@ class View implements PathView {
     if (context === null) return;
     drawOverlay(context, this.camera, {
       box: this.box, centre: this.centre, markers: this.marks.tools(this.paths),
-      outlines: this.marks.outlines, isDark: this.isDark, theme: this.theme,
+      ...this.marks.scenery, isDark: this.isDark, theme: this.theme,
     });
   }
 }
