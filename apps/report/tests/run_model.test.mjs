@@ -9,6 +9,8 @@ const {RunModel} = await load('data/run_model.ts');
 const {LineIndex} = await load('data/line_index.ts');
 const {ProgramText} = await load('data/program_text.ts');
 const {decodeSurface} = await load('data/surface.ts');
+const {drawnPath, spread} = await load('ui/pictures/path_layers.ts');
+const {visibleNodes} = await load('ui/pictures/filters.ts');
 
 const encoded = (text) => new TextEncoder().encode(text);
 
@@ -64,6 +66,43 @@ test('the stretches of a line are those of all its rounds', () => {
   assert.deepEqual(of(4), [14, 24, 34, 44, 54].map((from) => ({from, to: from + 6})));
   assert.deepEqual(of(1, 1), [{from: 60, to: 100}]);
   for (const [line, file] of [[1, 0], [5, 0], [2, 1], [1, 7]]) assert.deepEqual(of(line, file), []);
+});
+
+test('the stretches of some lines are those of all their rounds, joined where they touch', () => {
+  const {run} = loops();
+  const of = (first, last, file = 0) => run.rangesOfLines({file, first, last});
+  assert.deepEqual(of(3, 4), [{from: 10, to: 60}]);
+  assert.deepEqual(of(2, 3), [{from: 0, to: 14}, ...[20, 30, 40, 50].map((from) => ({from, to: from + 4}))]);
+  assert.deepEqual(of(4, 4), run.rangesOf({file: 0, line: 4}));
+  assert.deepEqual(of(1, 9, 1), [{from: 60, to: 100}]);
+  assert.deepEqual(of(5, 8), []);
+});
+
+test('what some lines take is the sum of all their rounds', () => {
+  const {run} = loops();
+  const range = {file: 0, first: 1, last: 3};
+  const {seconds, lost} = run.timeOfLines(range);
+  assert.ok(Math.abs(seconds - 0.06) < 1e-12 && Math.abs(lost - 0.001) < 1e-12);
+  const stays = run.rangesOfLines(range);
+  const mm = stays.reduce((sum, {from, to}) => sum + run.valueAt('s', to) - run.valueAt('s', from), 0);
+  assert.ok(Math.abs(run.lengthOf(stays) - mm) < 1e-12 && mm > 0);
+  assert.deepEqual(run.timeOfLines({file: 0, first: 7, last: 9}), {seconds: 0, lost: 0});
+});
+
+test('a part of a path ends where its lines do', () => {
+  const {run} = loops();
+  const stays = run.rangesOfLines({file: 0, first: 3, last: 3});
+  const path = drawnPath(run, stays);
+  const {row, x} = path.layer;
+  assert.deepEqual([...row], [0, 7, 10, 14, 20, 24, 30, 31, 34, 40, 44, 50, 54, 64, 100]);
+  row.forEach((at, i) => assert.ok(Math.abs(x[i] - run.valueAt('x', at)) < 1e-12));
+  assert.deepEqual([...spread(path, Uint8Array.from([0, 1, 2, 3, 4, 5]), 1)],
+      [...row].map((at) => run.nodeAt(at)));
+  const session = {shown: [true], tool: null, isPart: true, stays: [stays]};
+  const visible = visibleNodes(session, run, 0, path);
+  row.forEach((at, i) => i && assert.equal(
+      Boolean(visible[i]), stays.some(({from, to}) => row[i - 1] >= from && at <= to), `to ${at}`));
+  assert.equal(drawnPath(run, []).nodes, null);
 });
 
 test('neighbouring stretches of one line are one', () => {

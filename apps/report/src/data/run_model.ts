@@ -19,10 +19,21 @@ export interface Place {
   line: number;
 }
 
+/** Lines of a file of a run, from the first to the last. */
+export interface LineRange {
+  file: number;
+  first: number;
+  last: number;
+}
+
 /** Time of a line in all its rounds, and what of it the programmed feed would not need, in s. */
 export interface LineTime {
   seconds: number;
   lost: number;
+}
+
+export function isWithin({file, first, last}: LineRange, place: Place): boolean {
+  return place.file === file && place.line >= first && place.line <= last;
 }
 
 /**
@@ -125,10 +136,24 @@ export class RunModel {
 
   /** Returns the stretches of a line in the order of time; neighbouring ones are one. */
   rangesOf({file, line}: Place): RowRange[] {
-    const starts = this.spans.row;
     this.cachedSpanIndex ??= new LineIndex(this.spans.file, this.spans.line);
+    return this.stretches(this.cachedSpanIndex.of(file, line));
+  }
+
+  /** Returns all stretches of some lines, in the order of time; neighbouring ones are one. */
+  rangesOfLines(range: LineRange): RowRange[] {
+    const {file, line} = this.spans;
+    const spans: number[] = [];
+    for (let span = 0; span < line.length; ++span)
+      if (isWithin(range, {file: file[span]!, line: line[span]!})) spans.push(span);
+    return this.stretches(spans);
+  }
+
+  /** Joins spans, which are in the order of time. */
+  private stretches(spans: Iterable<number>): RowRange[] {
+    const starts = this.spans.row;
     const ranges: RowRange[] = [];
-    for (const span of this.cachedSpanIndex.of(file, line)) {
+    for (const span of spans) {
       const from = starts[span]!;
       const to = span + 1 < starts.length ? starts[span + 1]! : this.lastRow;
       const last = ranges[ranges.length - 1];
@@ -156,6 +181,23 @@ export class RunModel {
     const {ms, lost, index} = this.lineTable;
     const entry = index.of(file, line)[0];
     return entry === undefined ? null : {seconds: ms[entry]! / 1e3, lost: lost[entry]! / 1e3};
+  }
+
+  /** Returns what lines take together, each in all its rounds. */
+  timeOfLines({file, first, last}: LineRange): LineTime {
+    const sum = {seconds: 0, lost: 0};
+    for (let line = first; line <= last; ++line) {
+      const time = this.lineTime({file, line});
+      sum.seconds += time?.seconds ?? 0;
+      sum.lost += time?.lost ?? 0;
+    }
+    return sum;
+  }
+
+  /** Returns the length of stretches of the path, in mm. */
+  lengthOf(ranges: RowRange[]): number {
+    return ranges.reduce(
+        (sum, {from, to}) => sum + this.valueAt('s', to) - this.valueAt('s', from), 0);
   }
 
   /** The largest time of any one line, in s. */

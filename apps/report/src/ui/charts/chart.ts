@@ -6,7 +6,7 @@ import type {RunModel} from '../../data/run_model.ts';
 import {el, fill} from '../common/dom.ts';
 import type {Session} from '../common/session.ts';
 import {chartAxes, LEFT} from './chart_axes.ts';
-import {paintSelection, paintStrips, STRIP_STEP} from './chart_marks.ts';
+import {paintOthers, paintSelection, paintStrips, STRIP_STEP} from './chart_marks.ts';
 import type {ChartSpec, Series} from './chart_series.ts';
 import {axisFree} from './tick_texts.ts';
 
@@ -168,7 +168,10 @@ export class Chart {
       series: [{}, ...this.lines.map((line) => this.look(line))],
       hooks: {
         drawClear: [(plot) => paintSelection(plot, session)],
-        draw: [(plot) => paintStrips(plot, session, this.grid, this.strips())],
+        draw: [
+          (plot) => paintStrips(plot, session, this.grid, this.strips()),
+          (plot) => paintOthers(plot, session, this.stripSize)
+        ],
         setSelect: [(plot) => this.selected(plot)],
       },
     };

@@ -30,6 +30,27 @@ export function paintSelection(plot: uPlot, session: Session): void {
   plot.ctx.restore();
 }
 
+/** Pales what is not of the lines that are shown alone; `strips` are the px under the plot. */
+export function paintOthers(plot: uPlot, session: Session, strips: number): void {
+  if (!session.isPart) return;
+  const {left, top, width, height} = plot.bbox;
+  const {ctx} = plot;
+  ctx.save();
+  ctx.fillStyle = session.dark ? '#15181dc8' : '#ffffffc8';
+  let end = left;
+  const pale = (to: number) => {
+    const until = Math.min(to, left + width);
+    if (until > end) ctx.fillRect(end, top, until - end, height + strips * devicePixelRatio);
+  };
+  const at = (row: number) => plot.valToPos(session.xOf(session.run, row), 'x', true);
+  for (const {from, to} of session.stays[session.active]!) {
+    pale(at(from));
+    end = Math.max(end, at(to));
+  }
+  pale(Infinity);
+  ctx.restore();
+}
+
 /** Draws the limits of some runs under a chart, one strip for each. */
 export function paintStrips(plot: uPlot, session: Session, grid: Grid, runs: number[]): void {
   const {left, top, width, height} = plot.bbox;

@@ -29,7 +29,7 @@ export class Charts {
         (axis) => session.setAxis(axis as ChartAxis));
     this.element =
         el('section', {class: 'charts', 'aria-label': 'Charts'}, this.tools(), this.stack);
-    session.on(['run', 'filter', 'theme', 'axis', 'zoom'], () => this.later());
+    session.on(['run', 'filter', 'theme', 'axis', 'zoom', 'lines'], () => this.later());
     session.on(['axis'], () => this.axis.press(session.axis));
     session.on(['selection'], () => this.charts.forEach((chart) => chart.repaint()));
     session.on(['row', 'hover'], () => {
@@ -45,9 +45,10 @@ export class Charts {
     this.build();
   }
 
-  /** Shows only the stretches of the selected line, with some of what is around them. */
+  /** Shows only the stretches of the selected lines, with some of what is around them. */
   zoomToSelection(): void {
-    const ranges = this.session.selection?.ranges;
+    const {selection, stays, active} = this.session;
+    const ranges = selection?.ranges ?? stays[active];
     if (!ranges?.length) return;
     const from = ranges[0]!.from;
     const to = ranges[ranges.length - 1]!.to;

@@ -42,6 +42,11 @@ export function swatch(colour: string): HTMLElement {
   return el('span', {class: 'swatch', style: `background:${colour}`, 'aria-hidden': 'true'});
 }
 
+/** Returns a button that names what alone is shown, and ends that. */
+export function chip(title: string, onclick: () => void, ...content: Child[]): HTMLElement {
+  return el('button', {type: 'button', class: 'chip', title, onclick}, ...content);
+}
+
 /** Returns a drop-down of (value, label) pairs. */
 export function select(
     label: string, options: Array<[string, string]>, value: string,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What is shown at the moment, and who wants to know of its changes.
 import type {ReportData} from '../../data/format.ts';
-import {RunModel, type Place, type RowRange} from '../../data/run_model.ts';
+import {isWithin, RunModel, type LineRange, type Place, type RowRange} from '../../data/run_model.ts';
 import type {QuantityId} from './quantities.ts';
 
 export type Topic =
-    |'run'|'selection'|'row'|'hover'|'zoom'|'axis'|'colour'|'filter'|'theme'|'tab'|'playing';
+    |'run'|'selection'|'lines'|'row'|'hover'|'zoom'|'axis'|'colour'|'filter'|'theme'|'tab'|
+    'playing';
 export type ChartAxis = 'time'|'length';
 export type TabId =|'summary'|'program'|'messages'|'compare'|'whatif'|'surface'|'details';
 
@@ -21,6 +22,8 @@ export class Session {
   active = 0;
   shown: boolean[];
   selection: Selection|null = null;
+  lines: LineRange|null = null;  // that are shown alone
+  stays: RowRange[][] = [];      // of each run: the stretches of these lines
   row = 0;                     // where the player is, in rows of the active run
   hover: number|null = null;   // row under the pointer
   zoom: RowRange|null = null;  // rows that the charts show; null: all
@@ -52,8 +55,12 @@ export class Session {
     for (const listener of this.listeners.get(topic) ?? []) listener();
   }
 
-  /** Selects a line, or nothing; `row` is where on it, otherwise its first row. */
+  /**
+   * Selects a line, or nothing; `row` is where on it, otherwise its first row. All lines are shown
+   * again if it is none of those that are shown alone.
+   */
   select(place: Place|null, row?: number): void {
+    if (place && this.lines && !isWithin(this.lines, place)) this.setLines(null);
     this.selection = place && {...place, ranges: this.run.rangesOf(place)};
     this.emit('selection');
     const first = this.selection?.ranges[0];
@@ -65,6 +72,37 @@ export class Session {
 
   selectAt(row: number): void {
     this.select(this.run.placeAt(row), row);
+  }
+
+  /** Whether only some lines are shown, and there is something of them to show. */
+  get isPart(): boolean {
+    return this.stays.some(({length}) => length);
+  }
+
+  /** Shows these lines alone, whichever of their ends is the first; null shows all. */
+  setLines(range: LineRange|null): void {
+    if (!range && !this.lines) return;
+    this.lines = range && {
+      file: range.file,
+      first: Math.min(range.first, range.last),
+      last: Math.max(range.first, range.last)
+    };
+    const {lines} = this;
+    this.stays = lines ? this.runs.map((run) => run.rangesOfLines(lines)) : [];
+    if (this.selection) {
+      this.selection = null;
+      this.emit('selection');
+    }
+    this.emit('lines');
+    this.zoomToLines();
+  }
+
+  /** Zooms to the lines that are shown alone, and goes to their first row. */
+  private zoomToLines(): void {
+    const stays = this.stays[this.active] ?? [];
+    const first = stays[0];
+    this.setZoom(first ? {from: first.from, to: stays[stays.length - 1]!.to} : null);
+    if (first) this.moveTo(Math.min(first.from + 1, first.to));
   }
 
   moveTo(row: number): void {
@@ -138,6 +176,7 @@ export class Session {
     this.emit('run');
     this.emit('selection');
     this.emit('row');
+    if (this.lines) this.zoomToLines();
   }
 
   setDark(dark: boolean): void {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What browser tests may ask of the page, as `window.softcncReport`.
-import type {RowRange} from '../../data/run_model.ts';
+import type {LineRange, RowRange} from '../../data/run_model.ts';
 import type {FrameFigures} from '../../view/levels/path_types.ts';
 import type {QuantityId} from '../common/quantities.ts';
 import {quantitiesOf} from '../common/quantities.ts';
@@ -21,6 +21,10 @@ export interface Inspection {
   ranges(): Array<{from_s: number; to_s: number}>;
   /** Chooses a line, as a click on it does. */
   pick(line: number, file?: number): void;
+  /** The lines that are shown alone, or null. */
+  lines(): LineRange|null;
+  /** Shows lines alone, as Shift and a click do. */
+  pickLines(first: number, last: number, file?: number): void;
   /** Chooses the line that is executed at a time, as a click on the path does. */
   pickAt(seconds: number): void;
   /** The position in mm at a time, from the run that is looked at. */
@@ -57,6 +61,8 @@ export function inspect(session: Session, path: PathPanel): void {
         session.selection && {file: session.selection.file, line: session.selection.line},
     ranges: () => (session.selection?.ranges ?? []).map(seconds),
     pick: (line, file = 0) => session.select({file, line}),
+    lines: () => session.lines,
+    pickLines: (first, last, file = 0) => session.setLines({file, first, last}),
     pickAt: (at) => session.selectAt(session.run.rowAtSeconds(at)),
     positionAt: (at) => {
       const row = session.run.rowAtSeconds(at);

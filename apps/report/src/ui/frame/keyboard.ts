@@ -4,7 +4,8 @@ import {el} from '../common/dom.ts';
 
 const HINT =
     'In the charts: drag to zoom, click to choose a line, double-click to show all, Shift and ' +
-    'wheel to zoom. In the view: drag to turn or move, wheel to zoom, click to choose a line.';
+    'wheel to zoom. In the view: drag to turn or move, wheel to zoom, click to choose a line. ' +
+    'In the program: Shift and click, or Shift and arrows, to show a range of lines alone.';
 
 export interface Shortcut {
   keys: string[];  // as KeyboardEvent.key has them

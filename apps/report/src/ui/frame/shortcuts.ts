@@ -148,6 +148,7 @@ function pageKeys({session, help}: Parts): Shortcut[] {
 
 function clear(session: Session): void {
   session.select(null);
+  session.setLines(null);
   session.setZoom(null);
   session.setLimit(null);
   session.setTool(null);

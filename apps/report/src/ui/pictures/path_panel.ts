@@ -2,14 +2,14 @@
 // The path with its menus, legend and the description of what the pointer is at.
 import type {Side} from '../../view/common/camera.ts';
 import {createPathView, type PathView} from '../../view/path/path_view.ts';
-import {Choice, el, fill, select, swatch} from '../common/dom.ts';
+import {chip, Choice, el, fill, select, swatch} from '../common/dom.ts';
 import {limitColour, limitName} from '../common/limits.ts';
 import {coloursOf, quantitiesOf, scaleOf, toolsOf, type QuantityId} from '../common/quantities.ts';
 import type {Session} from '../common/session.ts';
 import {dim, visibleNodes} from './filters.ts';
 import {legend} from './legend.ts';
 import {Layers} from './layers.ts';
-import {hasDepth, layerOf} from './path_layers.ts';
+import {drawnPath, hasDepth, spread, type DrawnPath} from './path_layers.ts';
 import {placeTip, tipLines} from './path_tip.ts';
 
 const SIDES: Array<[Side, string]> =
@@ -30,6 +30,7 @@ export class PathPanel {
   private readonly sides: HTMLSelectElement;
   private menu?: HTMLSelectElement;
   private flat: boolean;
+  private paths: DrawnPath[] = [];
   private pending = 0;
   private resting = 0;
 
@@ -53,7 +54,8 @@ export class PathPanel {
     session.on(['colour', 'theme', 'filter'], () => this.colourLater());
     session.on(['zoom'], () => this.colourAfterZoom());
     session.on(['filter'], () => this.filter());
-    session.on(['filter', 'run'], () => this.drawTools());
+    session.on(['filter', 'run', 'lines'], () => this.drawTools());
+    session.on(['lines'], () => this.setPaths());
     session.on(['filter'], () => this.drawLayers());
     session.on(['selection', 'run'], () => this.highlight());
     session.on(['row', 'hover', 'run'], () => this.mark());
@@ -68,12 +70,21 @@ export class PathPanel {
     this.view = this.create();
     if (!this.view) return;
     this.view.setTheme(this.session.dark);
-    this.view.setLayers(this.session.runs.map(layerOf));
     this.view.setMode(this.flat ? '2d' : '3d');
+    this.drawLayers();
+    this.setPaths();
+  }
+
+  /** Gives the view the paths, or the part of them that is shown. */
+  private setPaths(): void {
+    const {session, view} = this;
+    if (!view) return;
+    this.paths = session.runs.map((run, i) => drawnPath(run, session.stays[i] ?? []));
+    view.setLayers(this.paths.map(({layer}) => layer));
     this.colour();
     this.filter();
-    this.drawLayers();
-    this.view.fit();
+    this.highlight();
+    view.fit();
     this.mark();
   }
 
@@ -129,7 +140,8 @@ export class PathPanel {
         this.mode.element, this.sides,
         el('button', {type: 'button', onclick: () => this.fit(), title: 'Show the whole path (f)'},
            'Fit'),
-        this.layers.element, this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip());
+        this.layers.element, this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip(),
+        this.linesChip());
   }
 
   private toolMenu(): HTMLElement|null {
@@ -148,14 +160,18 @@ export class PathPanel {
   private limitChip(): HTMLElement|null {
     const {session} = this;
     if (session.limit === null) return null;
-    return el(
-        'button', {
-          type: 'button',
-          class: 'chip',
-          title: 'Show all stretches again',
-          onclick: () => session.setLimit(null)
-        },
+    return chip(
+        'Show all stretches again', () => session.setLimit(null),
         swatch(limitColour(session.limit)), `only ${limitName(session.limit)} ✕`);
+  }
+
+  /** The lines that alone are shown; a click shows all again. */
+  private linesChip(): HTMLElement|null {
+    const {session} = this;
+    if (!session.lines) return null;
+    const {first, last} = session.lines;
+    const which = first === last ? `line ${first}` : `lines ${first}–${last}`;
+    return chip('Show all lines again', () => session.setLines(null), `only ${which} ✕`);
   }
 
   private runs(): HTMLElement {
@@ -190,9 +206,10 @@ export class PathPanel {
     if (!view || !quantity) return;
     view.setTheme(session.dark);
     const scale = scaleOf(session.runs, quantity);
-    session.runs.forEach(
-        (run, i) => view.setColours(
-            i, dim(session, run, coloursOf(run, i, quantity, scale, session.dark))));
+    session.runs.forEach((run, i) => {
+      const rgb = dim(session, run, coloursOf(run, i, quantity, scale, session.dark));
+      view.setColours(i, spread(this.paths[i]!, rgb, 3));
+    });
     fill(this.legend, legend(session, quantity, scale));
     if (this.menu) this.menu.value = session.quantity;
   }
@@ -201,7 +218,8 @@ export class PathPanel {
   private filter(): void {
     const {session, view} = this;
     if (!view) return;
-    session.runs.forEach((run, i) => view.setVisible(i, visibleNodes(session, run, i)));
+    session.runs.forEach(
+        (run, i) => view.setVisible(i, visibleNodes(session, run, i, this.paths[i]!)));
   }
 
   private drawLayers(): void {

@@ -3,12 +3,13 @@
 // the lines on the screen are elements of the page.
 import {lowerBound} from '../../data/bisection.ts';
 import type {Diagnostic} from '../../data/format.ts';
-import type {Place} from '../../data/run_model.ts';
+import {isWithin, type Place} from '../../data/run_model.ts';
 import {el, fill, select} from '../common/dom.ts';
 import * as numbers from '../common/numbers.ts';
 import {Pace} from '../common/pace.ts';
 import type {Session} from '../common/session.ts';
 import {lineRow, noteRows} from './listing_rows.ts';
+import {RangeBar} from './range_bar.ts';
 
 const ROW = 20;       // px
 const NOTES = 3;      // rows that a diagnostic takes: its mark, and two of text
@@ -29,7 +30,9 @@ export class Listing {
   private noteLines: number[] = [];
   private drawn = false;
   private readonly pace = new Pace(() => this.followTool());
-  private now = 0;  // line that the tool is on
+  private now = 0;     // line that the tool is on
+  private anchor = 0;  // line that a range begins or ends with
+  private head = 0;    // its other end, or the line that was chosen last
 
   constructor(session: Session) {
     this.session = session;
@@ -39,6 +42,7 @@ export class Listing {
           tabIndex: 0,
           role: 'listbox',
           'aria-label': 'Lines of the program',
+          'aria-multiselectable': 'true',
           onscroll: () => this.draw(),
           onkeydown: (event: KeyboardEvent) => this.key(event)
         },
@@ -49,10 +53,13 @@ export class Listing {
       'aria-label': 'Search the program, or go to a line',
       onkeydown: (event: KeyboardEvent) => this.searchKey(event)
     });
-    this.element = el('div', {class: 'program'}, this.tools, this.viewport);
+    const range = new RangeBar(session, () => this.file);
+    this.element = el('div', {class: 'program'}, this.tools, range.element, this.viewport);
     this.rows.addEventListener('click', (event) => this.click(event));
+    // A click with Shift would select text.
+    this.rows.addEventListener('mousedown', (event) => event.shiftKey && event.preventDefault());
     session.on(['run'], () => this.open(0));
-    session.on(['selection'], () => this.follow());
+    session.on(['selection', 'lines'], () => this.follow());
     session.on(['tab'], () => session.tab === 'program' && queueMicrotask(() => this.shown()));
     session.on(['row', 'hover'], () => this.pace.request());
     new ResizeObserver(() => this.draw()).observe(this.viewport);
@@ -68,6 +75,7 @@ export class Listing {
     const {run} = this.session;
     this.file = file;
     this.drawn = false;
+    this.anchor = this.head = 0;
     this.notes = run.data.diagnostics.filter((note) => note.file === file && note.line > 0)
                      .sort((a, b) => a.line - b.line);
     this.noteLines = this.notes.map(({line}) => line);
@@ -137,6 +145,7 @@ export class Listing {
     const {selection, tab} = this.session;
     if (selection && selection.file !== this.file && this.session.run.data.files[selection.file])
       this.open(selection.file);
+    if (selection) this.anchor = this.head = selection.line;
     if (tab !== 'program' || !this.drawn) return;
     if (selection) this.reveal(selection.line);
     this.draw();
@@ -192,13 +201,14 @@ export class Listing {
   }
 
   private row(line: number, longest: number): HTMLElement {
-    const {run} = this.session;
+    const {run, lines} = this.session;
     return lineRow({
       line,
       text: run.text(this.file)?.line(line) ?? '',
       time: run.lineTime({file: this.file, line}),
       longest,
       selected: this.selectedLine === line,
+      within: lines !== null && isWithin(lines, {file: this.file, line}),
       remarked: this.noteLines[lowerBound(this.noteLines, line)] === line,
       now: line === this.now,
     });
@@ -210,15 +220,29 @@ export class Listing {
     return selection?.file === this.file ? selection.line : 0;
   }
 
-  private click(event: Event): void {
-    const line = (event.target as Element).closest<HTMLElement>('.line')?.dataset['line'];
-    if (line) this.session.select({file: this.file, line: Number(line)});
+  private click(event: MouseEvent): void {
+    const line = Number((event.target as Element).closest<HTMLElement>('.line')?.dataset['line']);
+    if (!line) return;
+    if (event.shiftKey)
+      this.extendTo(line);
+    else
+      this.session.select({file: this.file, line});
+  }
+
+  /** Shows the lines from the one that was chosen to this one alone. */
+  private extendTo(line: number): void {
+    const to = Math.min(Math.max(line, 1), this.count);
+    this.head = to;
+    this.session.setLines({file: this.file, first: this.anchor || to, last: to});
+    this.anchor ||= to;
+    this.reveal(to);
+    this.draw();
   }
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const page = Math.max(Math.floor(this.viewport.clientHeight / ROW) - 1, 1);
-    const now = this.selectedLine;
+    const now = this.selectedLine || this.head;
     const to = {
       ArrowDown: now + 1,
       ArrowUp: now - 1,
@@ -230,7 +254,10 @@ export class Listing {
     if (to === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    this.goTo(to);
+    if (event.shiftKey)
+      this.extendTo(to);
+    else
+      this.goTo(to);
   }
 
   goTo(line: number): void {

@@ -15,16 +15,17 @@ export interface ShownLine {
   time: LineTime|null;  // null where the line does not move
   longest: number;      // time of the slowest line, in s
   selected: boolean;
+  within: boolean;    // is one of those that are shown alone
   remarked: boolean;  // has a diagnostic below it
   now: boolean;       // the tool is on it
 }
 
 /** Returns the element of a line: its number, its time and its text. */
-export function lineRow({line, text, time, longest, selected, remarked, now}: ShownLine):
+export function lineRow({line, text, time, longest, selected, within, remarked, now}: ShownLine):
     HTMLElement {
   const part = time && longest ? time.seconds / longest : 0;
   const classes = [
-    'line', selected && 'selected', !time && 'still', remarked && 'remarked', now && 'now'
+    'line', selected && 'selected', within && 'within', !time && 'still', remarked && 'remarked', now && 'now'
   ].filter(Boolean);
   return el(
       'div', {
@@ -32,7 +33,7 @@ export function lineRow({line, text, time, longest, selected, remarked, now}: Sh
         'data-line': line,
         id: `line-${line}`,
         role: 'option',
-        'aria-selected': String(selected)
+        'aria-selected': String(selected || within)
       },
       el('span', {class: 'n'}, String(line)),
       el('span', {
