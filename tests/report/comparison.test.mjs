@@ -48,6 +48,21 @@ test('the panel shows both times, and a click on a line chooses it', async () =>
   assert.equal((await ask(page, 'selected'))?.line, line);
 });
 
+test('the legend states one scale for both runs, whichever of them is shown', async () => {
+  const ends = [];
+  await ask(page, 'colourBy', 'speed');
+  for (const name of ['A', 'B', 'A + B']) {
+    await page.getByRole('group', { name: 'Runs that are shown' })
+      .getByRole('button', { name, exact: true }).click();
+    await drawn(page);
+    const legend = page.locator('.path .legend').first();
+    assert.match(await legend.innerText(), /same scale for A and B/);
+    ends.push(await legend.locator('.scale').innerText());
+  }
+  assert.deepEqual(ends, Array(3).fill(ends[0]));
+  await ask(page, 'colourBy', 'ratio');
+});
+
 test('each run is shown on its own', async () => {
   const vertices = async () => (await ask(page, 'frames')).vertices;
   await page.keyboard.press('Escape');

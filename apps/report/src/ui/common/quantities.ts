@@ -102,11 +102,15 @@ export function scaleOf(runs: RunModel[], quantity: Quantity): [number, number] 
   return [0, most || 1];
 }
 
-/** Returns the colour of the interval that ends in each node, three bytes each. */
+/**
+ * Returns the colour of the interval of a run that ends in each node, three bytes each. The same
+ * value has the same colour in all runs.
+ */
 export function coloursOf(
-    run: RunModel, index: number, quantity: Quantity, scale: [number, number],
+    runs: RunModel[], index: number, quantity: Quantity, scale: [number, number],
     dark: boolean): Uint8Array {
-  if (isCategory(quantity.id)) return categoryColours(run, index, quantity);
+  const run = runs[index]!;
+  if (isCategory(quantity.id)) return categoryColours(runs, index, quantity);
   const values = intervalValues(run, quantity);
   const table = salienceTable(dark);
   const none = neutral(dark);
@@ -123,11 +127,12 @@ export function coloursOf(
   return rgb;
 }
 
-function categoryColours(run: RunModel, index: number, quantity: Quantity): Uint8Array {
+function categoryColours(runs: RunModel[], index: number, quantity: Quantity): Uint8Array {
+  const run = runs[index]!;
   const rgb = new Uint8Array(3 * run.size);
   const column =
       quantity.id === 'run' ? null : run.column(quantity.id === 'limit' ? 'limit' : 'tool');
-  const tools = toolsOf([run]);
+  const tools = toolsOf(runs);
   const known = new Map<number, Rgb>();
   const colourOf = (value: number) => rgbOf(
       quantity.id === 'limit' ?

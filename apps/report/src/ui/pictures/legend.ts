@@ -16,7 +16,7 @@ export function legend(session: Session, quantity: Quantity, scale: [number, num
       list.append(el('li', {}, swatch(colour), name));
     if (quantity.id !== 'run')
       list.append(el('li', {}, swatch(cssOf(neutral(session.dark))), 'rapid'));
-    return el('div', {class: 'legend-row'}, title, list);
+    return el('div', {class: 'legend-row'}, title, list, common(session, quantity));
   }
   const reversed = quantity.id === 'ratio';
   const stops = Array.from(
@@ -33,5 +33,12 @@ export function legend(session: Session, quantity: Quantity, scale: [number, num
          el('div', {class: 'ramp', style: `background:linear-gradient(90deg,${stops.join(',')})`}),
          tick(1)),
       el('div', {class: 'none'}, swatch(cssOf(neutral(session.dark))),
-         quantity.id === 'ratio' ? 'rapid or at rest' : 'rapid, or no value'));
+         quantity.id === 'ratio' ? 'rapid or at rest' : 'rapid, or no value'),
+      common(session, quantity));
+}
+
+/** States that the colours of two runs can be compared. */
+function common({runs}: Session, {id}: Quantity): HTMLElement|null {
+  if (runs.length < 2 || id === 'run') return null;
+  return el('div', {class: 'none'}, isCategory(id) ? 'same in A and B' : 'same scale for A and B');
 }

@@ -207,7 +207,7 @@ export class PathPanel {
     view.setTheme(session.dark);
     const scale = scaleOf(session.runs, quantity);
     session.runs.forEach((run, i) => {
-      const rgb = dim(session, run, coloursOf(run, i, quantity, scale, session.dark));
+      const rgb = dim(session, run, coloursOf(session.runs, i, quantity, scale, session.dark));
       view.setColours(i, spread(this.paths[i]!, rgb, 3));
     });
     fill(this.legend, legend(session, quantity, scale));
