@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { ask, drawn, openReport, startBrowser } from './support/browser.mjs';
 import { readReport } from './support/decode.mjs';
-import { report, timeOf } from './support/reports.mjs';
+import { edited, report, timeOf } from './support/reports.mjs';
 
 let browser, page, data;
 before(async () => {
@@ -61,6 +61,28 @@ test('the legend states one scale for both runs, whichever of them is shown', as
   }
   assert.deepEqual(ends, Array(3).fill(ends[0]));
   await ask(page, 'colourBy', 'ratio');
+});
+
+test('the panel shows how the machines differ, and the contour error of each run', async () => {
+  const machine = [
+    { key: 'axes.x.acceleration_mm_s2', a: '1000', b: '500' },
+    { key: 'control.interpolation', a: 'taylor2 <with> corners rounded by the control', b: '' },
+  ];
+  const file = edited('comparison', 'machines', ({ comparison }) =>
+    Object.assign(comparison, { machine, contour_um: [12.345, null] }));
+  for (const size of [{}, { width: 390, height: 844 }]) {
+    const other = await openReport(browser, file, size);
+    const rows = await other.getByRole('region', { name: 'Machine' }).locator('tbody tr').all();
+    const cells = await Promise.all(rows.map((row) => row.locator('td').allInnerTexts()));
+    assert.deepEqual(cells, machine.map(({ key, a, b }) => [key, a, b || '–']));
+    const paths = await other.getByRole('region', { name: 'Paths' }).innerText();
+    assert.match(paths.replace(/\s+/g, ' '), /Largest contour error A 12.3 µm B –/);
+    assert.ok(await other.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    assert.deepEqual(other.trouble, []);
+    await other.context().close();
+  }
+  assert.equal(await page.getByRole('region', { name: 'Machine' }).count(),
+    data.report.comparison.machine?.length ? 1 : 0);
 });
 
 test('each run is shown on its own', async () => {

@@ -136,6 +136,8 @@ export interface Comparison {
   distance_um: number;
   distance_error_um: number;                // a smaller one may be none
   distance_at: {t_s: number; run: number};  // in which run: 0 or 1
+  contour_um?: [number|null, number|null];  // the largest contour error of each run
+  machine?: Array<{key: string; a: string; b: string}>;  // values that differ
 }
 
 export interface WhatIf {

@@ -17,7 +17,7 @@ export function comparePanel(session: Session, comparison: Comparison): HTMLElem
             el('small', {}, a ? ` ${b > a ? '+' : ''}${numbers.share((b - a) / a)} from A to B` : ''))),
       el('section', {'aria-label': 'Time by limit'}, el('h2', {}, 'Time by limit'),
          bars(comparison), byLimit(comparison)),
-      paths(session, comparison),
+      paths(session, comparison), machines(comparison),
       el('section', {'aria-label': 'Difference by line'},
          el('h2', {}, 'Difference of time by line'),
          comparison.by_line.length ?
@@ -82,7 +82,42 @@ function paths(session: Session, comparison: Comparison): HTMLElement {
       el('dl', {class: 'pairs'}, el('dt', {}, 'Largest distance'),
          distance <= error ?
              el('dd', {}, `none above ${numbers.withUnit(error, 'µm')}, the accuracy of the drawing`) :
-             el('dd', {}, numbers.withUnit(distance, 'µm'), ' at ', link())));
+             el('dd', {}, numbers.withUnit(distance, 'µm'), ' at ', link()),
+         ...contour(comparison)));
+}
+
+/** The largest contour error of each run. */
+function contour({contour_um: errors}: Comparison): HTMLElement[] {
+  if (!errors) return [];
+  const of = (run: 0|1) => {
+    const error = errors[run];
+    return `${'AB'[run]} ${error === null ? '–' : numbers.withUnit(error, 'µm')}`;
+  };
+  return [
+    el('dt', {}, 'Largest contour error'),
+    el('dd', {}, el('span', {class: 'fact'}, of(0)), ' ', el('span', {class: 'fact'}, of(1)))
+  ];
+}
+
+/** The values in which the machines of the runs differ. */
+function machines({machine}: Comparison): HTMLElement|null {
+  if (!machine?.length) return null;
+  return el(
+      'section', {'aria-label': 'Machine', class: 'machine'}, el('h2', {}, 'Machine'),
+      table(
+          'Values in which the machines differ',
+          [
+            {title: 'Key', cell: ({key}) => el('code', {}, broken(key))},
+            {title: 'A', cell: ({a}) => a || '–'}, {title: 'B', cell: ({b}) => b || '–'}
+          ],
+          machine));
+}
+
+/** A key that may be broken behind its dots. */
+function broken(key: string): HTMLElement {
+  const text = el('span');
+  for (const part of key.split(/(?<=\.)/)) text.append(part, el('wbr'));
+  return text;
 }
 
 function byLine(session: Session, comparison: Comparison): HTMLElement {
