@@ -91,11 +91,36 @@ TEST_CASE("the lines that lose most time are named, all rounds of a loop togethe
   const Ended told = call("run --worst 2 " + (folder / "p.nc"));
   CHECK(told.err.find("        line          lost   limited by\n             6      0.0") !=
         std::string::npos);
-  CHECK(count(told.err.substr(told.err.find("lost   limited by")), " s   ") == 2);
+  const std::string lines_told = told.err.substr(0, told.err.find("lost   because of"));
+  CHECK(count(lines_told.substr(lines_told.find("lost   limited by")), " s   ") == 2);
   const Ended checked = call("check --worst 1 " + (folder / "p.nc"));
   CHECK(checked.out.find("lost") == std::string::npos);
   CHECK(count(checked.err, "\n             6 ") == 1);
   CHECK(call("run --worst 0 " + (folder / "p.nc")).status == 2);
+}
+
+TEST_CASE("lost time is told by its cause, with the axis and the places", "[apps][times]") {
+  const Folder folder;
+  // At 20 mm/s and 1000 mm/s2 each reversal and each exact corner loses v/a, a ramp half of it.
+  std::string text = "G21 G90 G61 F1200\nG1 X100\n";
+  for (int i = 0; i < 5; ++i) text += "X0\nX100\n";
+  write(folder / "p.nc", text + "Y20\nG4 P0.1\nY40\nG0 X0\nM2\n");
+  const json causes = report_of(folder / "p.nc")["loss_causes"];
+  REQUIRE(causes.size() == 3);
+  CHECK(causes[0]["cause"] == "reversal");
+  CHECK(causes[0]["axis"] == "x");
+  CHECK(causes[0]["count"] == 10);
+  CHECK(causes[0]["lost_s"].get<double>() == Approx(10 * 0.02).epsilon(1e-9));
+  CHECK(causes[0]["from_mm"] == 0);
+  CHECK(causes[0]["to_mm"] == 100);
+  CHECK(causes[1]["cause"] ==
+        "rest");  // at the start, before and after the dwell, before the rapid
+  CHECK(causes[1]["count"] == 4);
+  CHECK(causes[1]["lost_s"].get<double>() == Approx(4 * 0.01).epsilon(1e-9));
+  CHECK(causes[2]["cause"] == "corner");
+  CHECK(causes[2]["lost_s"].get<double>() == Approx(0.02).epsilon(1e-9));
+  const Ended told = call("run --worst 1 " + (folder / "p.nc"));
+  CHECK(told.err.find("10      0.2000 s   reversals of X at X 0 and X 100\n") != std::string::npos);
 }
 
 TEST_CASE("a line of a called file loses time under the name of that file", "[apps][times]") {
@@ -117,6 +142,9 @@ TEST_CASE("short lines that are joined lose their time each", "[apps][times]") {
   const json& tool = report["time_sheet"]["tools"][0];
   const double length = report["length_mm"].get<double>() - 6;
   CHECK(report["worst_lines"].size() >= 2);
+  double by_cause = 0;
+  for (const json& cause : report["loss_causes"]) by_cause += cause["lost_s"].get<double>();
+  CHECK(by_cause == Approx(lost).epsilon(1e-6));
   CHECK(lost == Approx(tool["cutting_s"].get<double>() - length / (2000.0 / 60)).epsilon(1e-6));
 }
 

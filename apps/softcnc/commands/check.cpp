@@ -68,7 +68,7 @@ int check_program(const std::string& name, const Machine& machine,
                   checked.outcome.last.block);
     spdlog::debug("{}", time_sheet_text(checked.outcome.time_sheet));
     if (options.worst_lines > 0)
-      spdlog::info("{}:\n{}", program->name(), worst_lines_text(checked.outcome.worst_lines));
+      spdlog::info("{}:\n{}", program->name(), losses_text(checked.outcome));
   }
   return checked.status;
 }

@@ -89,6 +89,10 @@ void take_figures(const runtime::Outcome& outcome, ReportedRun& run) {
   run.sheet = outcome.time_sheet;
   run.figures = figures_of(outcome, *run.machine);
   run.lines = outcome.line_times;
+  run.origins = outcome.origins;
+  run.stocks = outcome.stocks;
+  if (outcome.contour && outcome.contour->cutting.instants > 0)
+    run.largest_contour = outcome.contour->cutting.max;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "job/job.hpp"
 #include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
+#include "motion/model/stock_outline.hpp"
 #include "runtime/history/run_history.hpp"
 #include "surface/roughness_map.hpp"
 
@@ -68,7 +70,10 @@ struct ReportedRun {
   int blocks = 0;
   std::array<double, kLimits> time_by_limit{};  // s
   runtime::TimeSheet sheet;
-  std::vector<RunFigure> figures;        // the most important one first
+  std::vector<RunFigure> figures;         // the most important one first
+  std::optional<double> largest_contour;  // mm, on cutting moves
+  std::map<int, AxisVector> origins;      // mm, of work systems, by their index
+  std::vector<StockOutline> stocks;
   std::vector<runtime::LineTime> lines;  // in the order of files and lines
   std::vector<ReportedFile> files;       // by number; 0: the program itself
   std::vector<Diagnostic> diagnostics;

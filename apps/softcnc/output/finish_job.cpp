@@ -30,7 +30,7 @@ void print_summary(const Job& job, const Options& options, const JobResult& resu
   spdlog::info("{}", summary(job, result));
   spdlog::debug("{}", details(job, result));
   spdlog::debug("{}", time_sheet_text(result.outcome.time_sheet));
-  if (options.worst > 0) spdlog::info("{}", worst_lines_text(result.outcome.worst_lines));
+  if (options.worst > 0) spdlog::info("{}", losses_text(result.outcome));
 }
 
 }  // namespace

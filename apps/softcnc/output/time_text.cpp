@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hal/files/axis_name.hpp"
 #include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
 
@@ -81,6 +83,45 @@ Json lines_json(const std::vector<runtime::WorstLine>& lines) {
   return list;
 }
 
+Json causes_json(const std::vector<runtime::LossCause>& causes) {
+  Json list = Json::array();
+  for (const runtime::LossCause& one : causes) {
+    Json cause{{"cause", name(one.kind)}, {"count", one.count}, {"lost_s", one.lost}};
+    if (one.kind == runtime::LossKind::curve) cause["limit"] = name(one.limit);
+    if (one.axis >= 0) {
+      cause["axis"] = hal::axis_name(one.axis);
+      cause["from_mm"] = one.from;
+      cause["to_mm"] = one.to;
+    }
+    list.push_back(std::move(cause));
+  }
+  return list;
+}
+
+/// "reversals at X 0 and X 100", "curves, limited by chord", ...
+std::string cause_text(const runtime::LossCause& cause) {
+  const bool one = cause.count == 1;
+  if (cause.kind == runtime::LossKind::rest)
+    return one ? "start or end at rest" : "starts and ends at rest";
+  if (cause.kind == runtime::LossKind::curve)
+    return fmt::format("{}, limited by {}", one ? "move" : "moves", name(cause.limit));
+  const char axis = kAxisLetters[static_cast<std::size_t>(cause.axis)];
+  const std::string what = fmt::format("{}{} of {}", name(cause.kind), one ? "" : "s", axis);
+  if (cause.from == cause.to) return fmt::format("{} at {} {:.6g}", what, axis, cause.from);
+  return fmt::format("{} {} {} {:.6g} and {} {:.6g}", what, cause.only_ends ? "at" : "between",
+                     axis, cause.from, axis, cause.to);
+}
+
+constexpr std::size_t kShownCauses = 10;
+
+std::string causes_text(const std::vector<runtime::LossCause>& causes) {
+  std::string text = fmt::format("\n  {:>12}{:>14}   {}", "times", "lost", "because of");
+  for (std::size_t i = 0; i < std::min(causes.size(), kShownCauses); ++i)
+    text += fmt::format("\n  {:>12}{:>12.4f} s   {}", causes[i].count, causes[i].lost,
+                        cause_text(causes[i]));
+  return text;
+}
+
 }  // namespace
 
 std::string stops_line(const runtime::TimeSheet& sheet) {
@@ -98,7 +139,8 @@ std::string time_sheet_text(const runtime::TimeSheet& sheet) {
   return text + stops_line(sheet);
 }
 
-std::string worst_lines_text(const std::vector<runtime::WorstLine>& lines) {
+std::string losses_text(const runtime::Outcome& outcome) {
+  const std::vector<runtime::WorstLine>& lines = outcome.worst_lines;
   if (lines.empty()) return "  no line loses time against its feed";
   std::string text = fmt::format("  {:>12}{:>14}   {}", "line", "lost", "limited by");
   for (const runtime::WorstLine& one : lines) {
@@ -106,13 +148,14 @@ std::string worst_lines_text(const std::vector<runtime::WorstLine>& lines) {
     text += fmt::format("\n  {:>12}{:>12.4f} s   {}", place + std::to_string(one.line), one.lost,
                         name(one.limit));
   }
-  return text;
+  return text + causes_text(outcome.loss_causes);
 }
 
 void add_times(Json& report, const runtime::Outcome& outcome) {
   report["rests"] = rests_json(outcome.time_sheet);
   report["time_sheet"] = sheet_json(outcome.time_sheet);
   report["worst_lines"] = lines_json(outcome.worst_lines);
+  report["loss_causes"] = causes_json(outcome.loss_causes);
 }
 
 }  // namespace softcnc::app

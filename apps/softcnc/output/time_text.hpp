@@ -16,10 +16,10 @@ std::string stops_line(const runtime::TimeSheet& sheet);
 /// Lines without a newline at the end: what each tool did with its time, and the rests by cause.
 std::string time_sheet_text(const runtime::TimeSheet& sheet);
 
-/// Likewise: the lines that lose most, with the limit and the seconds.
-std::string worst_lines_text(const std::vector<runtime::WorstLine>& lines);
+/// Likewise: the lines that lose most, with the limit and the seconds, and what they lose it for.
+std::string losses_text(const runtime::Outcome& outcome);
 
-/// The keys `rests`, `time_sheet` and `worst_lines`: docs/cli.md.
+/// The keys `rests`, `time_sheet`, `worst_lines` and `loss_causes`: docs/cli.md.
 void add_times(nlohmann::ordered_json& report, const runtime::Outcome& outcome);
 
 }  // namespace softcnc::app

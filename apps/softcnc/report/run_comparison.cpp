@@ -97,6 +97,21 @@ Status measure_distance(const ReportedRun& a, const ReportedRun& b, RunCompariso
   return {};
 }
 
+/// The largest contour errors, um; null where one is not known.
+Json contour_json(const RunComparison& comparison) {
+  Json list = Json::array();
+  for (const std::optional<double>& mm : comparison.contour)
+    list.push_back(mm ? Json(um_from_mm(*mm)) : Json());
+  return list;
+}
+
+Json machine_json(const RunComparison& comparison) {
+  Json list = Json::array();
+  for (const hal::DifferingValue& value : comparison.machine)
+    list.push_back({{"key", value.key}, {"a", value.a}, {"b", value.b}});
+  return list;
+}
+
 }  // namespace
 
 Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b) {
@@ -104,6 +119,8 @@ Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b) {
   result.names = names(a, b);
   result.times = {a.time, b.time};
   result.by_limit = {a.time_by_limit, b.time_by_limit};
+  result.contour = {a.largest_contour, b.largest_contour};
+  if (a.machine && b.machine) result.machine = hal::differing_values(*a.machine, *b.machine);
   result.by_line = by_line(a, b);
   if (Status measured = measure_distance(a, b, result); !measured)
     return tl::make_unexpected(std::move(measured.error()));
@@ -119,13 +136,17 @@ Json comparison_json(const RunComparison& comparison) {
                         {"b_s", comparison.by_limit[1][i]}});
   for (const LineDifference& line : comparison.by_line)
     lines.push_back({{"file", line.file}, {"line", line.line}, {"a_s", line.a}, {"b_s", line.b}});
-  return {{"time_s", comparison.times},
-          {"names", comparison.names},
-          {"by_limit", std::move(limits)},
-          {"by_line", std::move(lines)},
-          {"distance_um", um_from_mm(comparison.distance)},
-          {"distance_error_um", um_from_mm(comparison.distance_error)},
-          {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
+  Json json = {
+      {"time_s", comparison.times},
+      {"names", comparison.names},
+      {"machine", machine_json(comparison)},
+      {"by_limit", std::move(limits)},
+      {"by_line", std::move(lines)},
+      {"distance_um", um_from_mm(comparison.distance)},
+      {"distance_error_um", um_from_mm(comparison.distance_error)},
+      {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
+  if (comparison.contour[0] || comparison.contour[1]) json["contour_um"] = contour_json(comparison);
+  return json;
 }
 
 }  // namespace softcnc::app

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/machine/machine_file.hpp"
 #include "input/reported_run.hpp"
 
 namespace softcnc::app {
@@ -21,6 +23,8 @@ struct RunComparison {
   std::array<std::string, 2> names;
   std::array<double, 2> times{};
   std::array<std::array<double, kLimits>, 2> by_limit{};
+  std::array<std::optional<double>, 2> contour;  // mm, largest; nothing: unknown
+  std::vector<hal::DifferingValue> machine;      // the values that differ, where both are known
   std::vector<LineDifference> by_line;  // the largest difference first
   double distance = 0;                  // mm: of a node from the other path, largest
   double distance_error = 0;            // mm: what the thinning of both may have made of none

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "hal/files/axis_name.hpp"
+#include "hal/machine/state_names.hpp"
 #include "motion/core/units.hpp"
 #include "report/line_sentence.hpp"
 #include "report/node_columns.hpp"
@@ -142,6 +143,31 @@ Json lines(const ReportedRun& run, PackedData& data) {
   return json;
 }
 
+std::array<double, kAxes> numbers(const AxisVector& point) {
+  return {point[0], point[1], point[2]};
+}
+
+/// Of the work systems that moves belong to.
+Json origins(const ReportedRun& run) {
+  Json list = Json::array();
+  for (const auto& [system, origin] : run.origins)
+    list.push_back({{"name", hal::system_name(system)}, {"at_mm", numbers(origin)}});
+  return list;
+}
+
+Json workpieces(const ReportedRun& run) {
+  Json list = Json::array();
+  for (const StockOutline& stock : run.stocks) {
+    Json edges = Json::array();
+    for (const auto& [from, to] : stock.edges)
+      for (const AxisVector& point : {from, to})
+        for (const double mm : numbers(point)) edges.push_back(mm);
+    list.push_back(
+        {{"name", name(stock.shape)}, {"line", stock.line}, {"edges_mm", std::move(edges)}});
+  }
+  return list;
+}
+
 void add_figures(const ReportedRun& run, Json& json) {
   json["program"] = run.name;
   json["source"] = name(run.kind);
@@ -159,6 +185,8 @@ void add_figures(const ReportedRun& run, Json& json) {
   json["time_by_limit_s"] = time_by_limit(run);
   json["tools"] = tools(run.sheet);
   if (run.kind == InputKind::program) json["rests"] = rests(run.sheet);
+  if (!run.origins.empty()) json["origins"] = origins(run);
+  if (!run.stocks.empty()) json["workpieces"] = workpieces(run);
   json["figures"] = figures(run.figures);
   json["worst_lines"] = worst(run);
 }

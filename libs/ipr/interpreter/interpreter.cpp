@@ -247,6 +247,7 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
     if (entering_data_) return;
   }
   out_.begin(line);
+  if (!line.stock.empty()) state_stock(line);
   command_.read(is_fanuc_like(options_.dialect) ? with_lengths(line) : line, options_.dialect,
                 out_);
   if (options_.dialect == Dialect::grbl) note_beyond_grbl(line, out_);
@@ -282,6 +283,15 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   flow_.finish();
   read_unreachable();
   report_at_end();
+}
+
+/// Before what else the line says: comments mostly stand alone.
+[[gnu::cold]] void Interpreter::state_stock(const ProgramLine& line) {
+  if (line.broken || modal_.ended) return;
+  const int column = static_cast<int>(line.stock.data() - line.text.data());
+  const int length = static_cast<int>(line.stock.size()) + 2;
+  stated_stock_.add(line.stock, {line.number, column, length, parser_.file()}, modal_, machine_,
+                    out_);
 }
 
 /// A curve over several lines of which one has an error: whether it goes on is not known.

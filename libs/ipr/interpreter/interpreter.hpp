@@ -14,6 +14,7 @@
 #include "ipr/flow/flow.hpp"
 #include "ipr/handlers/saved_modes.hpp"
 #include "ipr/interpreter/memory.hpp"
+#include "ipr/interpreter/stated_stock.hpp"
 #include "ipr/lines/command.hpp"
 #include "ipr/lines/integer_lengths.hpp"
 #include "ipr/lines/options.hpp"
@@ -56,6 +57,9 @@ class Interpreter {
   /// for it.
   const Memory& memory() const noexcept { return memory_; }
 
+  /// Returns the stocks that the lines read so far have stated.
+  const std::vector<StockOutline>& stocks() const noexcept { return stated_stock_.outlines(); }
+
  private:
   bool read_on();
   void begin_with(const Memory& memory);
@@ -79,6 +83,7 @@ class Interpreter {
   void act(Task& task);
   void skip(Task& task);
   void keep_input();
+  void state_stock(const ProgramLine& line);
   void leave_curve();
   void lose_motion() noexcept;
   void leave_contour();
@@ -104,6 +109,7 @@ class Interpreter {
   std::optional<CommandFile> commands_;  // where the text is not G-code
   bool entering_data_ = false;           // up to G11 lines are passed over
   Memory memory_;
+  StatedStock stated_stock_;
   std::optional<ProgramLine> next_;  // waits for what its blocks come after
 };
 

@@ -39,6 +39,7 @@ struct ProgramLine {
   bool decided = false;                  // a condition has decided what of it counts
   const Word* corner = nullptr;          // FANUC: `,C` or `,R`, with the letter C or R
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
+  std::string_view stock;                // (WORKPIECE,...): the text of the comment; empty: none
 };
 
 struct ParserOptions {

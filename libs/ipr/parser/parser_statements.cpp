@@ -6,6 +6,7 @@
 
 #include "ipr/expressions/dialect_differences.hpp"
 #include "ipr/parser/parser.hpp"
+#include "ipr/parser/stock_comment.hpp"
 #include "ipr/text/number.hpp"
 #include "ipr/text/text_errors.hpp"
 
@@ -294,12 +295,13 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
   return lexer.next();
 }
 
-/// LinuxCNC's (ABORT,text), as the last comment of a line that is no statement.
+/// LinuxCNC's (ABORT,text) and (WORKPIECE,...), as the last comment of a line that is no statement.
 void Parser::obey_comment(int column) {
   const bool skipped = line_.broken || line_.statement != nullptr || ended_;
   if (skipped || !is_linuxcnc_like(options_.dialect)) return;
   const std::string_view after = line_.text.substr(static_cast<std::size_t>(column));
   const std::string_view comment = after.substr(0, after.find(')'));
+  if (states_stock(comment)) line_.stock = comment;
   const auto text = text_of_abort(comment);
   if (!text) return;
   end_by_alarm(column, static_cast<int>(comment.size()) + 2,

@@ -8,7 +8,9 @@ namespace softcnc::runtime {
 void RunTimes::add(const ipo::TimedBlock& timed, double until, double feed_override) {
   if (of_plan_) add_limits(timed.profile, until);
   keeper_.add(timed, until, feed_override);
-  if (by_line_) lines_.add(timed, until, feed_override);
+  if (!by_line_) return;
+  lines_.add(timed, until, feed_override);
+  causes_.add(timed, until, feed_override);
 }
 
 void RunTimes::add_row(Limit limit, double period) noexcept {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "runtime/figures/loss_causes.hpp"
 #include "runtime/figures/time_sheet.hpp"
 #include "runtime/figures/worst_lines.hpp"
 
@@ -12,7 +13,7 @@ namespace softcnc::runtime {
 
 class RunTimes {
  public:
-  /// Makes the times. `by_line` asks for losses of lines. With `of_plan`, rows lie where the plan
+  /// Makes the times. `by_line` asks for losses of lines, and their causes. With `of_plan`, rows lie where the plan
   /// is at their instants; otherwise add_row() counts what limits hold, and the rest is that of the
   /// plan.
   RunTimes(bool by_line, bool of_plan) noexcept : by_line_(by_line), of_plan_(of_plan) {}
@@ -28,6 +29,7 @@ class RunTimes {
   const std::array<double, kLimits>& by_limit() const noexcept { return by_limit_; }
   const TimeSheet& sheet() const noexcept { return keeper_.sheet(); }
   const LineLosses& lines() const noexcept { return lines_; }
+  const LossCauses& causes() const noexcept { return causes_; }
 
  private:
   void add_limits(const ipo::Profile& profile, double until);
@@ -36,6 +38,7 @@ class RunTimes {
   std::array<double, kLimits> by_limit_{};
   TimeKeeper keeper_;
   LineLosses lines_;
+  LossCauses causes_;
 };
 
 }  // namespace softcnc::runtime

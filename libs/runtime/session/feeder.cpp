@@ -144,9 +144,18 @@ std::optional<Block> Feeder::next_block() {
   return block;
 }
 
+void Feeder::note_origin(const Block& block) {
+  const Move* move = std::get_if<Move>(&block.what);
+  if (move == nullptr || move->work_system == last_system_) return;
+  last_system_ = move->work_system;
+  if (last_system_ != kNoSystem)
+    origins_.emplace(last_system_, interpreter_.state().work_system(last_system_).origin);
+}
+
 /// False if that would have to wait.
 bool Feeder::read_block() {
   auto block = next_block();
+  if (block) note_origin(*block);
   if (!block && interpreter_.waiting() && diagnostics_.errors() == 0) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   if (block && diagnostics_.errors() == 0)

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -79,11 +80,16 @@ class Feeder {
   const std::set<std::string>& missing_files() const noexcept {
     return interpreter_.missing_files();
   }
+  /// Returns the origins of the work systems that moves belong to, mm, machine coordinates, by
+  /// their index: each as the first of these moves has it.
+  const std::map<int, AxisVector>& origins() const noexcept { return origins_; }
+  const std::vector<StockOutline>& stocks() const noexcept { return interpreter_.stocks(); }
   ipo::PlannerCounts counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
 
  private:
   bool read_block();
+  void note_origin(const Block& block);
   std::optional<Block> next_block();
   void take(ipo::BlockQueue& queue, ipo::TimedPart part);
   void end_at_last_block();
@@ -104,9 +110,11 @@ class Feeder {
   ProgrammedPath* programmed_ = nullptr;
   std::deque<Pause> pauses_;
   std::deque<Block> pushed_;  // and not yet planned
-  double first_cut_delay_;    // s: of a program that has not begun,
-  DelayPlace delay_place_;    // and where it rests for so long
-  SourcePos last_place_;      // of the block planned last
+  std::map<int, AxisVector> origins_;
+  int last_system_ = kNoSystem;
+  double first_cut_delay_;  // s: of a program that has not begun,
+  DelayPlace delay_place_;  // and where it rests for so long
+  SourcePos last_place_;    // of the block planned last
   int last_number_ = 0;
   int answered_ = 0;               // the number of the block whose pause has been answered last
   bool at_rest_ = true;            // where all ends that has come

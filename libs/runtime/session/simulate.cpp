@@ -306,6 +306,7 @@ void Simulation::keep_times() {
   outcome_.time_sheet = times.sheet();
   settle_outputs(outcome_.time_sheet, backend_kind_, diagnostics_);
   if (line_times_) outcome_.line_times = times.lines().times();
+  outcome_.loss_causes = times.causes().causes();
   outcome_.worst_lines =
       times.lines().worst(worst_lines_, [this](int file) { return diagnostics_.file(file); });
 }
@@ -325,6 +326,8 @@ Outcome Simulation::finish() {
   if (contour_) outcome_.contour = contour_->report();
   if (rows_) outcome_.columns = rows_->column_figures();
   outcome_.events_left = channel_.events_left();
+  outcome_.origins = channel_.feeder().origins();
+  outcome_.stocks = channel_.feeder().stocks();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.missing_files = channel_.feeder().missing_files();

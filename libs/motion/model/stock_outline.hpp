@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A stock that a program states: what it is cut from, and where that lies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "motion/core/axes.hpp"
+
+namespace softcnc {
+
+enum class StockShape : std::uint8_t { box, cylinder, tube };
+inline constexpr std::array<std::string_view, 3> kStockShapes{"box", "cylinder", "tube"};
+constexpr std::string_view name(StockShape shape) noexcept {
+  return kStockShapes[static_cast<std::size_t>(shape)];
+}
+
+/// The outline of a stock: straight edges, from point to point, mm; circles are polygons.
+struct StockOutline {
+  StockShape shape = StockShape::box;
+  int line = 0;  // of the program, where it is stated
+  std::vector<std::pair<AxisVector, AxisVector>> edges;
+};
+
+}  // namespace softcnc
