@@ -74,6 +74,9 @@ TEST_CASE("that diameters are assumed is reported once", "[ipr][variables][haas]
   CHECK(haas_reported("#2001=5.\n#2201=1.\n#1=#2402\n#2401=8.\nG10 L12 P1 R8.") ==
         Places{"SC2386 3:1"});
   CHECK(haas_reported("G00 X1.\n#2602=1.") == Places{"SC2386 2:1"});
+  const Interpreted moved = interpret("G00 X1.\nG00 X#2401\nG00 X5.\nM30\n", {}, kHaas);
+  CHECK(places(moved) == Places{"SC2386 2:6"});
+  CHECK(moved.blocks.size() == 4);  // the line of the warning moves, too
   CHECK(haas_reported("#2401=8.\nG10 L12 P1 R8.\nG10 L13 P1 R8.", kDiameters).empty());
   CHECK(haas_reported("#2401=8.\nG10 L12 P1 R8.", with(CutterOffset::radius)).empty());
   CHECK(places(interpret("G10 L12 P1 R8.\nM30\n", {}, kFanuc)).empty());

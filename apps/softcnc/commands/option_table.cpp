@@ -302,11 +302,14 @@ void import_words(CLI::App& app, const OptionEntry& entry, Options& options) {
            if (words.front() != "import")
              throw CLI::ValidationError(
                  "'" + words.front() + "'",
-                 "is not known to 'softcnc machine'; 'softcnc machine import FILE' reads settings");
+                 "is not known to 'softcnc machine'; 'softcnc machine import FILE' reads settings, "
+                 "and --machine FILE.toml names a machine file");
+           if (words.size() < 2)
+             throw CLI::ValidationError("'import'", "needs the file of the settings");
            options.imported = words.back();
          },
          entry.help)
-      ->expected(2)
+      ->expected(1, 2)
       ->type_name("");
 }
 

@@ -8,11 +8,14 @@
 
 #include "ipr/codes/code_numbers.hpp"
 #include "ipr/lines/operands.hpp"
+#include "ipr/text/number.hpp"
 #include "ipr/text/text_errors.hpp"
 #include "motion/model/machine_code.hpp"
 
 namespace softcnc::ipr {
 namespace {
+
+constexpr double kLongCode = 100;  // from three digits on a code is none that a blank divides
 
 void report_twice(const Word& word, Output& out) {
   out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
@@ -73,6 +76,18 @@ bool is_unit_of_others(const Word& word) {
   return word.letter == 'G' && (word.value == kInches || word.value == kMillimetres);
 }
 
+/// Blanks within a number count nothing; but after the digits of a code a letter may be missing.
+[[gnu::cold]] void warn_of_blank(const Word& word, Output& out) {
+  const std::string written(out.text().substr(static_cast<std::size_t>(word.pos.column - 1),
+                                              static_cast<std::size_t>(word.pos.length)));
+  const std::size_t blank = written.find_first_of(kBlanks);
+  if (blank == std::string::npos || !is_digit(written[1])) return;
+  out.report(Code::SC1061, word.pos,
+             "'" + written + "' is read as " + code_name(word.letter, word.value) +
+                 "; is a letter missing before " +
+                 std::string(without_blanks_around(std::string_view(written).substr(blank))) + "?");
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -113,6 +128,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
     probes_ = probes_ || is_probing(word, dialect);
     return;
   }
+  if (word.value >= kLongCode) warn_of_blank(word, out);
   if (is_refused_probing(*code)) probes_ = probes_ || is_probing(word, dialect);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);

@@ -379,7 +379,7 @@ bool Parser::only_line_number() const noexcept {
 }
 
 void Parser::report(Code code, int column, int length, std::string message) {
-  line_.broken = true;
+  if (code_info(code).severity == Severity::error) line_.broken = true;
   if (is_comment_without_begin(code, column, length)) message += "; the ')' after it has no '('";
   diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);
 }

@@ -93,9 +93,10 @@ bool RepeatedErrors::is_of_frequent_code(const Diagnostic& error) {
 bool RepeatedErrors::is_foreign(Diagnostic& error) {
   const bool may_be = !looked_ && program_ != nullptr && error.pos.file == 0 &&
                       error.pos.line > 0 && exit_status(error) == 1;
-  if (!may_be || program_->streamed()) return false;
+  if (!may_be) return false;
   looked_ = true;
-  if (is_no_text(error)) return true;
+  if (program_->streamed()) return error.pos.line == 1 && is_no_text(error, error.source_line);
+  if (is_no_text(error, program_->line(1))) return true;
   guess_dialect(error);
   ForeignLanguage language;
   std::string line = program_->line(1);
@@ -114,8 +115,7 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
 }
 
 /// A picture, an archive or the like, which would be an error on every line.
-bool RepeatedErrors::is_no_text(Diagnostic& error) {
-  const std::string first = program_->line(1);
+bool RepeatedErrors::is_no_text(Diagnostic& error, const std::string& first) {
   const std::string_view kind = kind_of_binary(first);
   if (kind.empty()) return false;
   foreign_ = true;

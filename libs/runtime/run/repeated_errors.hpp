@@ -52,7 +52,7 @@ class RepeatedErrors {
     int last_line = 0;
   };
   bool is_foreign(Diagnostic& error);
-  bool is_no_text(Diagnostic& error);
+  bool is_no_text(Diagnostic& error, const std::string& first);
   void guess_dialect(const Diagnostic& error);
   bool is_of_known_cause(const Diagnostic& error);
   bool is_of_frequent_code(const Diagnostic& error);
