@@ -5,11 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/session/feed_script.hpp"
+
 namespace softcnc::api {
 namespace {
 
 constexpr double kSlowest = 1e-3;  // mm/s: a constraint that allows less would let a run never end
-constexpr double kSmallestOverride = 1e-3, kLargestOverride = 2;
 
 /// A constraint of the user as one of the planner's.
 class CustomConstraint final : public ipo::Constraint {
@@ -33,10 +34,10 @@ class CustomConstraint final : public ipo::Constraint {
 }  // namespace
 
 RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
-  channel_.feed_override =
-      std::isnan(options.feed_override)
-          ? 1
-          : std::clamp(options.feed_override, kSmallestOverride, kLargestOverride);
+  channel_.feed_override = std::isnan(options.feed_override)
+                               ? 1
+                               : std::clamp(options.feed_override, runtime::kSmallestOverride,
+                                            runtime::kLargestOverride);
   channel_.interpreter.block_skip = options.block_skip;
   channel_.interpreter.optional_stop = options.optional_stop;
   channel_.interpreter.guess_dialect = options.dialect == Dialect::automatic;

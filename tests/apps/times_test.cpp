@@ -123,6 +123,24 @@ TEST_CASE("lost time is told by its cause, with the axis and the places", "[apps
   CHECK(told.err.find("10      0.2000 s   reversals of X at X 0 and X 100\n") != std::string::npos);
 }
 
+TEST_CASE("the causes add up to what the lines lose, whatever is overridden", "[apps][times]") {
+  const Folder folder;
+  write(folder / "p.nc", "G21 G90 G61 F1200\nG1 X100\nX0\nX100 F3000\nX150 F600\nM2\n");
+  for (const std::string at : {"", " --at 2:override=150 --at 3:override=50"}) {
+    const json report = report_of((folder / "p.nc") + at);
+    const double time = report["time_s"].get<double>();
+    double by_cause = 0;
+    for (const json& cause : report["loss_causes"]) {
+      by_cause += cause["lost_s"].get<double>();
+      if (cause["cause"] == "curve" && at.empty()) CHECK(cause["limit"] != "feed");
+    }
+    if (at.empty()) CHECK(by_cause == Approx(time - (5 + 5 + 2 + 5)).epsilon(1e-6));
+    const Ended told = call("run --worst 9 " + (folder / "p.nc") + at);
+    CHECK(told.err.find("because of") != std::string::npos);
+    CHECK(told.err.find("-0.0") == std::string::npos);
+  }
+}
+
 TEST_CASE("a line of a called file loses time under the name of that file", "[apps][times]") {
   const Folder folder;
   write(folder / "sub.ngc", "o<sub> sub\nG1 X[#1 + 0.5]\no<sub> endsub\nM2\n");

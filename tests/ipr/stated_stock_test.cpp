@@ -128,7 +128,7 @@ TEST_CASE("a stock that cannot be read is a warning at its comment, and nothing 
        {"WORKPIECE,CYLINDER,ZMIN=0,ZMAX=1,DIAMETER=-1", "DIAMETER is not above 0"},
        {"WORKPIECE,TUBE,ZMIN=0,ZMAX=1,DIAMETER=4,INNER_DIAMETER=4",
         "INNER_DIAMETER is not less than DIAMETER"},
-       {"WORKPIECE,BOX,NONSENSE", "'NONSENSE' is no KEY=VALUE"},
+       {"WORKPIECE,BOX,XMIN=0,NONSENSE", "'NONSENSE' is no KEY=VALUE"},
        {"WORKPIECE,CYLINDER,ZMIN=0,ZMAX=1,DIAMETER=1,UNITS=FURLONG", "UNITS is MM or INCH"}}));
   const Stated stated = state_of("G21\nG90 (" + comment + ")\nM2\n");
   CHECK(stated.stocks.empty());
@@ -146,13 +146,26 @@ TEST_CASE("a stock beyond the travel of X or Y is a warning, once a line", "[ipr
   REQUIRE(beyond.result.diagnostics.size() == 1);
   CHECK(beyond.result.diagnostics.front().message ==
         "the stock lies from Y 0 to 20 mm, 8 mm beyond the travel from -12 to 12 mm");
-  CHECK(beyond.stocks.size() == 3);  // each time it is stated
+  CHECK(beyond.stocks.size() == 1);  // the same each time
 }
 
 TEST_CASE("a stock whose place an error has left open is not stated", "[ipr][stock]") {
   CHECK(state_of("G54 X\n(" + kBox + ")\nM2\n").stocks.size() == 1);  // no error of the system
   CHECK(state_of("G10 L2 P1 X[\n(" + kBox + ")\nM2\n").stocks.empty());
   CHECK(state_of("M2\n(" + kBox + ")\n").stocks.empty());
+}
+
+TEST_CASE("a stock is no line of the program", "[ipr][stock]") {
+  const Interpreted plain = interpret("(" + kBox + ")\n%\nG21 G90\nG0 X1\nM2\n%\n");
+  CHECK(plain.diagnostics.empty());
+  CHECK(plain.blocks.size() == 2);
+  Machine machine;
+  machine.program.block_limit = 12;
+  const std::string round = "o1 repeat [5]\n(" + kBox + ")\nG0 X1\no1 endrepeat\nM2\n";
+  CHECK(
+      interpret(round, machine).diagnostics.empty() ==
+      interpret("o1 repeat [5]\n(hello)\nG0 X1\no1 endrepeat\nM2\n", machine).diagnostics.empty());
+  CHECK(state_of("(Workpiece, 40 x 60 aluminium)\nM2\n").result.diagnostics.empty());
 }
 
 }  // namespace softcnc::ipr

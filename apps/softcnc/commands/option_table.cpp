@@ -25,7 +25,6 @@ namespace {
 
 constexpr int kMostLines = 1'000'000;                // of --worst
 constexpr int kMostPhases = 1000;                    // of --phases
-constexpr double kLargestOverridePercent = 200;      // percent
 constexpr double kShortest = 0.001, kLongest = 1e6;  // s, of a measurement
 
 constexpr CommandEntry kCommands[] = {
@@ -230,7 +229,7 @@ void feed_override(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option_function<double>(
          entry.names,
          [&options](double percent) {
-           if (!(percent > 0 && percent <= kLargestOverridePercent))
+           if (!(percent > 0 && percent <= 100 * runtime::kLargestOverride))
              throw CLI::ValidationError("--feed-override",
                                         "takes a percentage above 0 and at most 200");
            options.feed_override = percent / 100;

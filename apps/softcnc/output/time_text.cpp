@@ -116,7 +116,7 @@ constexpr std::size_t kShownCauses = 10;
 
 std::string causes_text(const std::vector<runtime::LossCause>& causes) {
   std::string text = fmt::format("\n  {:>12}{:>14}   {}", "times", "lost", "because of");
-  for (std::size_t i = 0; i < std::min(causes.size(), kShownCauses); ++i)
+  for (std::size_t i = 0; i < std::min(causes.size(), kShownCauses) && causes[i].lost > 0; ++i)
     text += fmt::format("\n  {:>12}{:>12.4f} s   {}", causes[i].count, causes[i].lost,
                         cause_text(causes[i]));
   return text;

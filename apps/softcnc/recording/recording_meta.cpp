@@ -17,7 +17,6 @@ tl::unexpected<Diagnostic> error(Code code, std::string message) {
 }
 
 constexpr int kFirstSchema = 1;  // without a hash
-constexpr double kLargestOverridePart = 2;
 
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -56,7 +55,7 @@ Result<std::int64_t> read_rows(const Json& trace) {
 
 Result<double> read_override(const Json& options) {
   const double feed_override = options.at("feed_override");
-  if (feed_override > 0 && feed_override <= kLargestOverridePart) return feed_override;
+  if (feed_override > 0 && feed_override <= runtime::kLargestOverride) return feed_override;
   return error(Code::SC6021,
                "its meta.json has an invalid feed override: " + options.at("feed_override").dump());
 }

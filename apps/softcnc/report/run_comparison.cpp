@@ -145,6 +145,7 @@ Json comparison_json(const RunComparison& comparison) {
       {"distance_um", um_from_mm(comparison.distance)},
       {"distance_error_um", um_from_mm(comparison.distance_error)},
       {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
+  if (!comparison.machine.empty()) json["machine"] = machine_json(comparison);
   if (comparison.contour[0] || comparison.contour[1]) json["contour_um"] = contour_json(comparison);
   return json;
 }

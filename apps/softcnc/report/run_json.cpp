@@ -162,8 +162,10 @@ Json workpieces(const ReportedRun& run) {
     for (const auto& [from, to] : stock.edges)
       for (const AxisVector& point : {from, to})
         for (const double mm : numbers(point)) edges.push_back(mm);
-    list.push_back(
-        {{"name", name(stock.shape)}, {"line", stock.line}, {"edges_mm", std::move(edges)}});
+    list.push_back({{"name", name(stock.shape)},
+                    {"file", stock.file},
+                    {"line", stock.line},
+                    {"edges_mm", std::move(edges)}});
   }
   return list;
 }

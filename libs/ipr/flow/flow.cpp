@@ -59,7 +59,8 @@ std::optional<ProgramLine> Flow::next() {
       end_text();
       continue;
     }
-    ++executed_;
+    const bool only_stock = !line->stock.empty() && line->words.empty();
+    if (!only_stock) ++executed_;
     if (options_.unreachable_too) remember(*line);
     if (line->broken) note_unread(*line);
     decided_ = decided_ || line->decided;

@@ -13,7 +13,7 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr std::size_t kMostOutlines = 100;
-constexpr double kWithin = 1e-6;  // mm: less beyond the travel is rounding
+constexpr double kWithin = 5e-4;  // mm: what messages would round to nothing
 constexpr int kJudgedAxes = 2;    // how low a stock may lie depends on the lengths of the tools
 
 bool place_is_unknown(const Modal& modal) noexcept {
@@ -69,10 +69,12 @@ void StatedStock::add(std::string_view comment, SourcePos pos, const Modal& moda
   if (!stock)
     return out.report_once(stock.error().code, pos, std::to_string(pos.line),
                            stock.error().message);
+  stock->file = pos.file;
   stock->line = pos.line;
   place(*stock, modal);
   check_travel(*stock, pos, machine, out);
-  if (outlines_.size() < kMostOutlines) outlines_.push_back(std::move(*stock));
+  const bool known = std::find(outlines_.begin(), outlines_.end(), *stock) != outlines_.end();
+  if (!known && outlines_.size() < kMostOutlines) outlines_.push_back(std::move(*stock));
 }
 
 }  // namespace softcnc::ipr

@@ -20,7 +20,7 @@ class StatedStock {
   void add(std::string_view comment, SourcePos pos, const Modal& modal, const Machine& machine,
            Output& out);
 
-  /// Returns the first hundred, in machine coordinates.
+  /// Returns the first hundred that differ, in machine coordinates.
   const std::vector<StockOutline>& outlines() const noexcept { return outlines_; }
 
  private:

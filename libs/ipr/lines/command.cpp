@@ -15,7 +15,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kLongCode = 100;  // from three digits on a code is none that a blank divides
+constexpr double kTwoDigits = 10;  // a code below is one digit, whatever zeros stand before it
 
 void report_twice(const Word& word, Output& out) {
   out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
@@ -128,7 +128,8 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
     probes_ = probes_ || is_probing(word, dialect);
     return;
   }
-  if (word.value >= kLongCode) warn_of_blank(word, out);
+  const bool is_code = word.letter == 'G' || word.letter == 'M';
+  if (is_code && word.value >= kTwoDigits) warn_of_blank(word, out);
   if (is_refused_probing(*code)) probes_ = probes_ || is_probing(word, dialect);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);

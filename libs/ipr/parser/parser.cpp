@@ -73,7 +73,7 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
     const bool says_nothing =
         words_.empty() && line_.statement == nullptr && line_.corner == nullptr && !shown;
     if (says_nothing && !line_.broken && line_.stock.empty()) continue;
-    if (!line_.broken) started_ = true;
+    if (!line_.broken && !says_nothing) started_ = true;
     if (file_ != 0) name_file();
     return line_;
   }

@@ -155,7 +155,7 @@ void add_round(StockValues& values, StockOutline& stock) {
 
 bool states_stock(std::string_view comment) noexcept {
   const std::string_view said = without_blanks_around(comment);
-  return said.size() >= kWord.size() &&
+  return said.size() >= kWord.size() && said.find('=') != std::string_view::npos &&
          std::equal(kWord.begin(), kWord.end(), said.begin(),
                     [](char wanted, char c) { return wanted == upper_case(c); });
 }

@@ -10,7 +10,7 @@
 
 namespace softcnc::ipr {
 
-/// Returns whether a comment, without its parentheses, states a stock, well or badly.
+/// Returns whether a comment, without its parentheses, states a stock, well or badly: it has a key.
 bool states_stock(std::string_view comment) noexcept;
 
 /// Returns the outline in programmed coordinates, mm. `mm_per_unit` counts where the comment names

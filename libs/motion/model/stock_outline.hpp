@@ -21,8 +21,10 @@ constexpr std::string_view name(StockShape shape) noexcept {
 /// The outline of a stock: straight edges, from point to point, mm; circles are polygons.
 struct StockOutline {
   StockShape shape = StockShape::box;
-  int line = 0;  // of the program, where it is stated
+  int file = 0, line = 0;  // where it is stated: Diagnostics::file()
   std::vector<std::pair<AxisVector, AxisVector>> edges;
+
+  bool operator==(const StockOutline&) const = default;
 };
 
 }  // namespace softcnc

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
+
 namespace softcnc::runtime {
 namespace {
 
@@ -26,6 +28,7 @@ LossCauses::Parts LossCauses::parts_of(const ipo::TimedBlock& timed, double unti
   };
   Parts parts;
   if (spans.empty()) return parts;
+  parts.first = spans.front().limit;
   parts.last = spans.back().limit;
   std::size_t begin = 0, end = spans.size();
   while (begin < end && spans[begin].v1 > spans[begin].v0 + kSameSpeed)
@@ -43,13 +46,14 @@ void LossCauses::add(const ipo::TimedBlock& timed, double until, double feed_ove
   const Parts parts = parts_of(timed, until, asked_feed(*move, feed_override));
   const double end = length(move->path);
   if (open_.cuts)
-    pass_joint(open_, at(move->path, 0).dq, parts.head);
+    pass_joint(at(move->path, 0).dq, parts);
   else
     count(LossKind::rest, -1, Limit::feed, parts.head);
   for (std::size_t i = 0; i < parts.middle.size(); ++i)
     count(LossKind::curve, -1, static_cast<Limit>(i), parts.middle[i]);
   const PathPoint last = at(move->path, end, Side::before);
-  open_ = {true, parts.tail, last.q, last.dq, parts.last};
+  open_ = {true,    parts.tail, last.q,
+           last.dq, parts.last, timed.profile.end_speed() <= ipo::tuning::path::kStandstill};
 }
 
 /// The move before ends at rest.
@@ -58,24 +62,27 @@ void LossCauses::close() {
   open_ = {};
 }
 
-void LossCauses::pass_joint(const Open& before, const AxisVector& direction, double head) {
-  const AxisVector change = direction - before.direction;
-  const double lost = before.tail + head;
-  if (change.norm() < kCornerAngle) return count(LossKind::curve, -1, before.limit, lost);
+void LossCauses::pass_joint(const AxisVector& direction, const Parts& parts) {
+  const AxisVector change = direction - open_.direction;
+  const double lost = open_.tail + parts.head;
+  if (change.norm() < kCornerAngle) {
+    if (open_.at_rest) return count(LossKind::rest, -1, Limit::feed, lost);
+    count(LossKind::curve, -1, open_.limit, open_.tail);
+    return count(LossKind::curve, -1, parts.first, parts.head);
+  }
   int axis = 0;
   change.cwiseAbs().maxCoeff(&axis);
-  const double in = before.direction[axis], out = direction[axis];
+  const double in = open_.direction[axis], out = direction[axis];
   const bool reverses = in * out < 0 && std::min(std::abs(in), std::abs(out)) >= kReversing;
-  count(reverses ? LossKind::reversal : LossKind::corner, axis, Limit::feed, lost,
-        before.end[axis]);
+  count(reverses ? LossKind::reversal : LossKind::corner, axis, Limit::feed, lost, open_.end[axis]);
 }
 
 void LossCauses::count(LossKind kind, int axis, Limit limit, double lost, double place) {
-  if (lost < kLeastOfCause) return;
+  if (std::abs(lost) < kLeastOfCause) return;
   auto sum = std::find_if(sums_.begin(), sums_.end(), [&](const Sum& one) {
     return one.cause.kind == kind && one.cause.axis == axis && one.cause.limit == limit;
   });
-  place = std::round(place / kPlace) * kPlace;
+  place = std::round(place / kPlace) * kPlace + 0.0;  // no -0
   if (sum == sums_.end())
     sum = sums_.insert(sums_.end(), Sum{{kind, axis, limit, 0, 0, place, place, true}, {}});
   LossCause& cause = sum->cause;

@@ -51,13 +51,14 @@ class LossCauses {
   struct Parts {
     double head = 0, tail = 0;
     std::array<double, kLimits> middle{};
-    Limit last = Limit::feed;  // that holds at the end
+    Limit first = Limit::feed, last = Limit::feed;  // that hold at its start and its end
   };
   struct Open {
     bool cuts = false;  // the block before was a cutting move
     double tail = 0;    // s, that it has lost before its end
     AxisVector end = AxisVector::Zero(), direction = AxisVector::Zero();
     Limit limit = Limit::feed;
+    bool at_rest = false;  // it ends at rest
   };
   struct Sum {
     LossCause cause;
@@ -66,7 +67,7 @@ class LossCauses {
 
   static Parts parts_of(const ipo::TimedBlock& timed, double until, double feed);
   void close();
-  void pass_joint(const Open& before, const AxisVector& direction, double head);
+  void pass_joint(const AxisVector& direction, const Parts& parts);
   void count(LossKind kind, int axis, Limit limit, double lost, double place = 0);
 
   Open open_;

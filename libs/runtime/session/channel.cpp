@@ -18,9 +18,9 @@ constexpr double kSight = 4;
 }  // namespace
 
 Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
-                 const ChannelOptions& options, Diagnostics& diagnostics)
+                 const ChannelOptions& options, Requests& requests, Diagnostics& diagnostics)
     : machine_(machine),
-      events_(options.events),
+      requests_(requests),
       control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
@@ -98,19 +98,18 @@ Channel::Quiet Channel::quiet_ahead() {
   return {periods(quiet_.until - t), std::max(periods(quiet_.step), std::int64_t{1})};
 }
 
-bool Channel::event_due() const noexcept {
-  return answered_ < events_.size() && started_ && !stopping_ && !queue_.empty() &&
-         interpolator_.time() >= events_[answered_].time - kSameInstant * machine_.control.period;
+/// The instant up to which requests of a script are due, s.
+double Channel::request_time() const noexcept {
+  return interpolator_.time() + kSameInstant * machine_.control.period;
 }
 
-void Channel::answer_events() noexcept {
-  if (!event_due()) return;
-  for (; event_due(); ++answered_) control_ = after(events_[answered_], control_);
-  replan();
+bool Channel::request_due() const noexcept {
+  return started_ && !stopping_ && !queue_.empty() && requests_.due(request_time());
 }
 
-void Channel::ask(const ipo::FeedControl& control) noexcept {
-  control_ = control;
+void Channel::answer_requests() noexcept {
+  if (!request_due()) return;
+  control_ = requests_.answer(request_time());
   replan();
 }
 

@@ -17,8 +17,8 @@
 #include "motion/model/cycle.hpp"
 #include "runtime/figures/run_times.hpp"
 #include "runtime/session/channel_options.hpp"
-#include "runtime/session/feed_script.hpp"
 #include "runtime/session/feeder.hpp"
+#include "runtime/session/requests.hpp"
 #include "runtime/session/watcher.hpp"
 
 namespace softcnc::runtime {
@@ -27,24 +27,18 @@ namespace softcnc::runtime {
 class Channel {
  public:
   Channel(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
-          Diagnostics& diagnostics);
+          Requests& requests, Diagnostics& diagnostics);
 
-  /// Returns whether an event of the script is to be answered before the next step.
-  bool event_due() const noexcept;
-  /// Plans the rest of the path again for the events that are due. To be called right after
+  /// Returns whether a request is to be answered before the next step.
+  bool request_due() const noexcept;
+  /// Plans the rest of the path again for the requests that are due. To be called right after
   /// forget_passed().
-  void answer_events() noexcept;
+  void answer_requests() noexcept;
 
   /// Returns the next setpoint; nothing at the end. On a stop by the panel the rest of the path is
   /// planned again, to rest as soon as the limits allow; it must not ask between two calls of
   /// forget_passed().
   std::optional<Setpoint> step(const Panel& panel) noexcept;
-
-  /// Returns whether there is a path that ask() can plan again.
-  bool can_be_asked() const noexcept { return started_ && !stopping_ && !queue_.empty(); }
-  /// Plans the rest of the path again for what is asked for from now on. To be called right after
-  /// forget_passed().
-  void ask(const ipo::FeedControl& control) noexcept;
 
   /// Ends the path at rest where what has come so far ends: see Feeder::come_to_rest().
   void come_to_rest() noexcept;
@@ -84,20 +78,17 @@ class Channel {
   /// Returns what the time was spent on. Nothing may be run after this call.
   const RunTimes& end_times();
 
-  /// Returns the number of events that the run has not reached.
-  std::size_t events_left() const noexcept { return events_.size() - answered_; }
-
   Feeder& feeder() noexcept { return feeder_; }
 
  private:
   bool plan_ahead() noexcept;
   void replan() noexcept;
+  double request_time() const noexcept;
   void add_period(const Setpoint& next) noexcept;
   void add_present();
 
   const Machine& machine_;
-  std::vector<FeedEvent> events_;
-  std::size_t answered_ = 0;  // of the events
+  Requests& requests_;
   ipo::FeedControl control_;
   Feeder feeder_;
   ipo::BlockQueue queue_;

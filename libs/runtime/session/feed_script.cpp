@@ -10,8 +10,6 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kLargestPercent = 200;
-
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -33,7 +31,7 @@ std::optional<FeedEvent> parse_event(std::string_view text) {
   if (what == "resume") return FeedEvent{*time, FeedEvent::Kind::resume, 100};
   if (!what.starts_with(kOverride)) return std::nullopt;
   const auto percent = parse_number(what.substr(kOverride.size()));
-  if (!percent || *percent < 0 || *percent > kLargestPercent) return std::nullopt;
+  if (!percent || *percent < 0 || *percent > 100 * kLargestOverride) return std::nullopt;
   return FeedEvent{*time, FeedEvent::Kind::override_, *percent};
 }
 
@@ -45,7 +43,7 @@ std::string event_text(const FeedEvent& event) {
 
 ipo::FeedControl after(const FeedEvent& event, ipo::FeedControl control) noexcept {
   if (event.kind == FeedEvent::Kind::override_)
-    control.feed_override = event.percent / 100;
+    control.feed_override = within_limits(event.percent / 100);
   else
     control.hold = event.kind == FeedEvent::Kind::hold;
   return control;

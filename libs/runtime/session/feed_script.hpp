@@ -2,6 +2,7 @@
 // Changes of the feed at given moments of a run: --at.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,12 @@
 #include "ipo/planner/feed_control.hpp"
 
 namespace softcnc::runtime {
+
+/// An override of the feed lies between these; a request below the smallest holds.
+inline constexpr double kSmallestOverride = 1e-3, kLargestOverride = 2;
+constexpr double within_limits(double feed_override) noexcept {
+  return feed_override < kSmallestOverride ? 0 : std::min(feed_override, kLargestOverride);
+}
 
 struct FeedEvent {
   enum class Kind : std::uint8_t { override_, hold, resume };

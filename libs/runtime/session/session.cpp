@@ -12,7 +12,6 @@ namespace softcnc::runtime {
 namespace {
 
 constexpr int kNoDescriptor = -1;
-constexpr double kLargestOverride = 2, kSmallestOverride = 1e-3;
 
 /// What is fed may end at rest anywhere and be overridden at any time.
 ChannelOptions of_session(ChannelOptions options) {
@@ -33,8 +32,8 @@ Session::Session(const Machine& machine, const ChannelOptions& options, hal::Bac
       backend_(backend),
       sink_(sink),
       diagnostics_(std::move(report)),
+      requests_(options.feed_override),
       values_(row_columns(backend).size()) {
-  asked_.feed_override = options.feed_override;
   last_.position = options.interpreter.start;
   begin();
 }
@@ -47,7 +46,7 @@ void Session::begin() {
     diagnostics_.pass_on(std::move(counted));
   });
   of_text_.set_file(diagnostics_.file());
-  channel_.emplace(reader_, kNoDescriptor, machine_, options_, of_text_);
+  channel_.emplace(reader_, kNoDescriptor, machine_, options_, requests_, of_text_);
   verification_.emplace(machine_);
   if (knows_contour(backend_)) contour_.emplace(machine_.control.period);
   channel_->feeder().show(verification_->programmed());
@@ -64,20 +63,21 @@ void Session::go_on() {
   options_.interpreter.memory = &memory;
   options_.interpreter.start = last_.position;
   options_.state = memory.modal.state;
-  options_.feed_override = asked_.feed_override > 0 ? asked_.feed_override : 1;
+  const double feed_override = requests_.control().feed_override;
+  options_.feed_override = feed_override > 0 ? feed_override : 1;
   channel_.reset();
   reader_ = ipr::Reader::fed();
   begin();
   options_.interpreter.memory = nullptr;
   pushed_ = 0;
-  ask_ = true;
+  requests_.repeat();
   status_ = SessionStatus::waiting;
 }
 
 /// Where the program has not been ended by whoever feeds it, an error is not the end.
 SessionStatus Session::end_of_motion() noexcept {
   const bool can_go_on = channel_->feeder().memory().format != ipr::Format::commands;
-  const bool goes_on = of_text_.errors() > 0 && can_go_on && !fed_ && !panel_.stop;
+  const bool goes_on = of_text_.errors() > 0 && can_go_on && !fed_ && !requests_.stops();
   return goes_on ? SessionStatus::error : SessionStatus::done;
 }
 
@@ -85,8 +85,8 @@ SessionStatus Session::end_of_motion() noexcept {
 const MachineState& Session::state() noexcept {
   const bool is_run = (rests_ && status_ == SessionStatus::waiting) ||
                       status_ == SessionStatus::done || status_ == SessionStatus::error;
-  return is_run && !panel_.stop ? channel_->feeder().memory().modal.state
-                                : channel_->feeder().states().present();
+  return is_run && !requests_.stops() ? channel_->feeder().memory().modal.state
+                                      : channel_->feeder().states().present();
 }
 
 void Session::rest() noexcept {
@@ -128,8 +128,8 @@ void Session::end() noexcept {
 std::optional<Row> Session::step() {
   if (status_ > SessionStatus::paused) return std::nullopt;
   if (is_to_pause()) return std::nullopt;
-  answer_requests();
-  const auto setpoint = channel_->step(panel_);
+  channel_->answer_requests();
+  const auto setpoint = channel_->step(requests_.panel());
   channel_->rethrow();
   if (!setpoint) {
     status_ = channel_->waiting() ? SessionStatus::waiting : end_of_motion();
@@ -140,16 +140,10 @@ std::optional<Row> Session::step() {
 
 /// Whether the machine stands at a pause that has not been answered.
 bool Session::is_to_pause() noexcept {
-  if (panel_.stop || !channel_->pause_ahead()) return false;
+  if (requests_.stops() || !channel_->pause_ahead()) return false;
   if (status_ != SessionStatus::paused) backend_.rest();
   status_ = SessionStatus::paused;
   return true;
-}
-
-void Session::answer_requests() noexcept {
-  if (!ask_ || panel_.stop || !channel_->can_be_asked()) return;
-  channel_->ask(asked_);
-  ask_ = false;
 }
 
 Row Session::exchange(const Setpoint& setpoint) {
@@ -169,23 +163,15 @@ Row Session::exchange(const Setpoint& setpoint) {
   channel_->feeder().states().pass(setpoint.block);
   channel_->forget_passed();
   last_ = row;
-  if (sink_ && !sink_->row(row, values_)) panel_.stop = true;
+  if (sink_ && !sink_->row(row, values_)) requests_.stop();
   return {row, feedback, values_};
 }
 
 void Session::resume() noexcept {
-  ask_ = ask_ || asked_.hold;
-  asked_.hold = false;
+  requests_.resume();
   if (status_ != SessionStatus::paused) return;
   channel_->resume();
   status_ = SessionStatus::running;
-}
-
-void Session::set_feed_override(double feed_override) noexcept {
-  if (std::isnan(feed_override)) return;
-  const bool holds = feed_override < kSmallestOverride;
-  asked_.feed_override = holds ? 0 : std::min(feed_override, kLargestOverride);
-  ask_ = true;
 }
 
 std::optional<ContourReport> Session::contour() const {

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "hal/backends/backend.hpp"
-#include "ipo/planner/feed_control.hpp"
 #include "ipr/text/reader.hpp"
 #include "motion/core/diagnostic.hpp"
 #include "motion/verification/contour_error.hpp"
 #include "runtime/session/channel.hpp"
 #include "runtime/session/channel_options.hpp"
+#include "runtime/session/requests.hpp"
 #include "runtime/session/verification.hpp"
 #include "runtime/sinks/row_sink.hpp"
 
@@ -59,7 +59,7 @@ class Session {
   /// Returns whether more can be fed: neither end() nor abort() has been called, and the session
   /// has not ended.
   bool takes_more() const noexcept {
-    return !fed_ && !panel_.stop && status_ <= SessionStatus::paused;
+    return !fed_ && !requests_.stops() && status_ <= SessionStatus::paused;
   }
   /// After an error, as a control does when its operator has read it: what has been fed and was not
   /// run is forgotten, modes, offsets and variables are those behind the last line without an
@@ -78,13 +78,15 @@ class Session {
   SessionStatus status() const noexcept { return status_; }
 
   /// Lets the machine come to rest on the path, and stay there until resume().
-  void hold() noexcept { asked_.hold = ask_ = true; }
+  void hold() noexcept { requests_.hold(); }
   /// Ends a hold or a pause.
   void resume() noexcept;
   /// Multiplies the programmed feed, up to 2; what is below 0.001 holds. NaN changes nothing.
-  void set_feed_override(double feed_override) noexcept;
+  void set_feed_override(double feed_override) noexcept {
+    requests_.set_feed_override(feed_override);
+  }
   /// Lets the machine come to rest on the path, and ends the program there.
-  void abort() noexcept { panel_.stop = true; }
+  void abort() noexcept { requests_.stop(); }
 
   /// Returns what was reported without a `report`. After an error the motion ends with the last
   /// good block.
@@ -105,7 +107,6 @@ class Session {
   SessionStatus end_of_motion() noexcept;
   Setpoint counted_on(Setpoint setpoint) const noexcept;
   bool is_to_pause() noexcept;
-  void answer_requests() noexcept;
   Row exchange(const Setpoint& setpoint);
 
   const Machine& machine_;
@@ -115,15 +116,13 @@ class Session {
   Diagnostics diagnostics_;
   Diagnostics of_text_;  // since the beginning, or go_on()
   ipr::Reader reader_ = ipr::Reader::fed();
-  Panel panel_;
+  Requests requests_;
   std::optional<Channel> channel_;
   std::optional<Verification> verification_;
   std::optional<Contour> contour_;
   std::vector<double> values_;
-  ipo::FeedControl asked_;
   bool fed_ = false;      // all there is
   bool rests_ = false;    // where what has been fed ends
-  bool ask_ = false;      // and the channel does not know of it yet
   double planned_s_ = 0;  // mm: of the last row
   int pushed_ = 0;        // the number of the last block that was fed
   Setpoint last_;

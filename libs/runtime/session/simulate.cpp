@@ -90,7 +90,7 @@ class Batch {
   Batch(Channel& channel, std::size_t rows, bool skims) noexcept
       : channel_(channel), left_(rows), skims_(skims) {}
   std::optional<Setpoint> step(const Panel& panel) noexcept {
-    if (left_ == 0 || channel_.event_due() || channel_.pause_ahead()) return std::nullopt;
+    if (left_ == 0 || channel_.request_due() || channel_.pause_ahead()) return std::nullopt;
     if (skims_ && !quiet_ && left_ >= kFelt && channel_.quiet_ahead().rows >= kFewQuiet) {
       quiet_ = true;
       left_ = kFelt;
@@ -117,7 +117,8 @@ class Simulation {
   Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
              hal::Backend& backend, Diagnostics& diagnostics, RealtimeCycle* realtime)
       : input_(input),
-        channel_(reader, input, machine, options, diagnostics),
+        requests_(options.feed_override, options.events),
+        channel_(reader, input, machine, options, requests_, diagnostics),
         backend_(backend),
         backend_kind_(machine.control.backend),
         realtime_(realtime),
@@ -140,10 +141,10 @@ class Simulation {
     verification_.inform(observer);
     skims_ = skims_ && !observer;
     do {
-      channel_.answer_events();
+      channel_.answer_requests();
       wait(rows, watcher);
       if (channel_.waiting()) wait_for_more(rows, watcher);
-      if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
+      if (watcher && !requests_.stops() && watcher->wants_stop()) requests_.stop();
     } while (run_batch(rows, watcher));
     channel_.rethrow();
     if (realtime_) end_realtime();
@@ -164,7 +165,7 @@ class Simulation {
   Outcome finish();
 
   int input_;
-  Panel panel_;
+  Requests requests_;
   Channel channel_;
   hal::Backend& backend_;
   BackendKind backend_kind_;
@@ -218,10 +219,10 @@ void Simulation::pass_quiet_rows(Watcher* watcher) {
   const Channel::Quiet quiet = channel_.quiet_ahead();
   constexpr std::int64_t felt{kFelt};
   std::int64_t left = quiet.rows - felt;
-  while (left > 0 && !panel_.stop && !(watcher && watcher->wants_stop())) {
+  while (left > 0 && !requests_.stops() && !(watcher && watcher->wants_stop())) {
     const std::int64_t rows = left > felt ? std::min(left - felt, quiet.to_next) : 1;
     channel_.pass_over(rows - 1);
-    const auto row = channel_.step(panel_);
+    const auto row = channel_.step(requests_.panel());
     if (!row) return;
     verification_.pass_over(*row);
     outcome_.setpoints += rows;
@@ -241,13 +242,13 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
   if (std::exchange(quiet_, false)) pass_quiet_rows(watcher);
   Batch batch(channel_, batch_, skims_);
-  const CycleReport cycle = realtime_ ? run_cycle(batch, *realtime_, buffer_, panel_)
-                                      : run_cycle(batch, backend_, buffer_, panel_);
+  const CycleReport cycle = realtime_ ? run_cycle(batch, *realtime_, buffer_, requests_.panel())
+                                      : run_cycle(batch, backend_, buffer_, requests_.panel());
   outcome_.cpu.cycle += lap();
   verify();
   outcome_.cpu.verification += lap();
   wanted_ = realtime_ ? collect() : write(rows, cycle);
-  if (!wanted_) panel_.stop = true;  // the machine comes to rest on the path all the same
+  if (!wanted_) requests_.stop();  // the machine comes to rest on the path all the same
   quiet_ = batch.leads_into_quiet();
   if (watcher) {
     watcher->reads(channel_.feeder().read_to(), Reading::run);
@@ -314,7 +315,7 @@ void Simulation::keep_times() {
 Outcome Simulation::finish() {
   if (!wanted_ && outcome_.end == Outcome::End::done) outcome_.end = Outcome::End::broken_off;
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
-  if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
+  if (outcome_.end == Outcome::End::done && requests_.stops()) outcome_.end = Outcome::End::stopped;
   const StateHistory& states = channel_.feeder().states();
   outcome_.state = outcome_.end == Outcome::End::done ? states.last() : states.present();
   outcome_.time = channel_.time();
@@ -325,7 +326,7 @@ Outcome Simulation::finish() {
   outcome_.surface = verification_.surface();
   if (contour_) outcome_.contour = contour_->report();
   if (rows_) outcome_.columns = rows_->column_figures();
-  outcome_.events_left = channel_.events_left();
+  outcome_.events_left = requests_.script_left();
   outcome_.origins = channel_.feeder().origins();
   outcome_.stocks = channel_.feeder().stocks();
   outcome_.planner = channel_.feeder().counts();

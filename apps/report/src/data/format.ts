@@ -92,7 +92,8 @@ export interface OriginData {
 /** What a program states of its workpiece. */
 export interface WorkpieceData {
   name: string;
-  line: number;        // of the program that states it
+  file?: number;       // and the line that states it; 0: the program itself
+  line: number;
   edges_mm: number[];  // x1 y1 z1 x2 y2 z2 of each edge, in machine coordinates
 }
 

@@ -64,12 +64,12 @@ export class Layers {
     const {session} = this;
     return this.workpieces.filter(({line}) => line > 0)
         .slice(0, MOST_LINKS)
-        .map(({run, name, line}) => el('button', {
+        .map(({run, name, file, line}) => el('button', {
                type: 'button',
                class: 'link',
                onclick: () => {
                  if (session.active !== run) session.setActive(run);
-                 session.select({file: 0, line});
+                 session.select({file, line});
                }
              },
                  `${name}, line ${numbers.count(line)}`));

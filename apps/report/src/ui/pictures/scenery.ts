@@ -6,9 +6,10 @@ import type {Origin, Outline} from '../../view/levels/path_types.ts';
 
 const MOST_NAMES = 3;  // of systems at one place
 
-/** An outline, the number of its run, and the line that states it; 0 if none does. */
+/** An outline, the number of its run, and the file and line that state it; line 0 if none does. */
 export interface RunOutline extends Outline {
   run: number;
+  file: number;
   line: number;
 }
 
@@ -19,16 +20,17 @@ export function travelsOf(runs: RunModel[]): RunOutline[] {
     const extent = extentOf(run);
     if (!travel || !extent) return [];
     const edges = travelEdges(travel, extent);
-    return [{run: index, name: 'travel', line: 0, look: 'travel', edges}];
+    return [{run: index, name: 'travel', file: 0, line: 0, look: 'travel', edges}];
   });
 }
 
 export function workpiecesOf(runs: RunModel[]): RunOutline[] {
   return runs.flatMap(
       (run, index) => (run.data.workpieces ?? [])
-                          .map(({name, line, edges_mm: edges}): RunOutline => ({
+                          .map(({name, file, line, edges_mm: edges}): RunOutline => ({
                                  run: index,
                                  name: name || 'workpiece',
+                                 file: file ?? 0,
                                  line,
                                  look: 'workpiece',
                                  edges

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/session/requests.hpp"
+
+#include <cmath>
+
+namespace softcnc::runtime {
+
+void Requests::set_feed_override(double feed_override) noexcept {
+  if (std::isnan(feed_override)) return;
+  control_.feed_override = within_limits(feed_override);
+  pending_ = true;
+}
+
+void Requests::hold() noexcept { control_.hold = pending_ = true; }
+
+void Requests::resume() noexcept {
+  pending_ = pending_ || control_.hold;
+  control_.hold = false;
+}
+
+const ipo::FeedControl& Requests::answer(double t) noexcept {
+  for (; answered_ < script_.size() && t >= script_[answered_].time; ++answered_)
+    control_ = after(script_[answered_], control_);
+  pending_ = false;
+  return control_;
+}
+
+}  // namespace softcnc::runtime
