@@ -16,11 +16,14 @@ let browser;
 before(async () => { browser = await startBrowser(); });
 after(() => browser.close());
 
-/** Gives the runs of a report a travel. */
+/** Gives the runs of a report a travel, and no origins. */
 function withTravel(travel) {
-  return ({ runs }) => runs.forEach((run) => run.axis_limits.forEach((limit) => {
-    [limit.min_mm, limit.max_mm] = travel[limit.axis] ?? [null, null];
-  }));
+  return ({ runs }) => runs.forEach((run) => {
+    delete run.origins;
+    for (const limit of run.axis_limits) {
+      [limit.min_mm, limit.max_mm] = travel[limit.axis] ?? [null, null];
+    }
+  });
 }
 
 /** Returns how millimetres seen from above become pixels of the page. */
