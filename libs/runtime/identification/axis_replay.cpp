@@ -60,9 +60,11 @@ std::vector<double> replay_table(const MotorMotion& motor, const Gap& gap, doubl
   const std::size_t last = motor.encoder.size() - 1;
   std::vector<double> fine{start};
   fine.reserve(last + 1);
-  for (std::size_t i = 1; i <= last; ++i)
-    fine.push_back(
-        std::clamp(fine.back(), motor.encoder[i] - gap.ahead, motor.encoder[i] + gap.after));
+  for (std::size_t i = 1; i <= last; ++i) {
+    const double low = motor.encoder[i] - gap.ahead;
+    const double high = std::max(low, motor.encoder[i] + gap.after);  // without a gap: rounding
+    fine.push_back(std::clamp(fine.back(), low, high));
+  }
   std::vector<double> table;
   const auto parts = static_cast<std::size_t>(motor.parts);
   table.reserve(last / parts + 1);
