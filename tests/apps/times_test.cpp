@@ -99,7 +99,7 @@ TEST_CASE("the lines that lose most time are named, all rounds of a loop togethe
   CHECK(call("run --worst 0 " + (folder / "p.nc")).status == 2);
 }
 
-TEST_CASE("lost time is told by its cause, with the axis and the places", "[apps][times]") {
+TEST_CASE("lost time is reported by cause, with its axis and places", "[apps][times]") {
   const Folder folder;
   // At 20 mm/s and 1000 mm/s2 each reversal and each exact corner loses v/a, a ramp half of it.
   std::string text = "G21 G90 G61 F1200\nG1 X100\n";

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "ipr/interpret.hpp"
-#include "motion/geometry/extent.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -29,21 +28,12 @@ Stated state_of(std::string text, const Machine& machine = {},
   return stated;
 }
 
-Extent extent_of(const StockOutline& stock) {
-  Extent extent(stock.edges.front().first);
-  for (const auto& [from, to] : stock.edges) {
-    extent.include(from);
-    extent.include(to);
-  }
-  return extent;
-}
-
 /// The extent of the only stock of a program.
 Extent only_extent(const std::string& text) {
   const Stated stated = state_of(text + "\nM2\n");
   REQUIRE(stated.stocks.size() == 1);
   CHECK(stated.result.diagnostics.empty());
-  return extent_of(stated.stocks.front());
+  return extent(stated.stocks.front());
 }
 
 Machine with_travel(double x) {
@@ -66,9 +56,9 @@ TEST_CASE("a box has twelve edges, each along one axis", "[ipr][stock]") {
   CHECK(stated.stocks.front().edges.size() == 12);
   for (const auto& [from, to] : stated.stocks.front().edges)
     CHECK(((to - from).array() != 0).count() == 1);
-  const Extent extent = extent_of(stated.stocks.front());
-  CHECK(near(extent.min, AxisVector(0, 0, -4)));
-  CHECK(near(extent.max, AxisVector(10, 20, 0)));
+  const Extent box = extent(stated.stocks.front());
+  CHECK(near(box.min, AxisVector(0, 0, -4)));
+  CHECK(near(box.max, AxisVector(10, 20, 0)));
   CHECK(stated.result.blocks.size() == 1);  // it is no block
   CHECK(state_of("(" + kBox + ")\nM2\n", {}, Dialect::fanuc).stocks.empty());
 }

@@ -6,6 +6,7 @@
 #include "difference/difference_text.hpp"
 #include "motion/core/units.hpp"
 #include "motion/core/utf8.hpp"
+#include "report/run_comparison.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -78,13 +79,6 @@ Json lines_json(const runtime::RunDifference& difference, std::size_t most) {
   return lines;
 }
 
-Json machine_json(const ComparedPair& pair) {
-  Json values = Json::array();
-  for (const hal::DifferingValue& value : machine_differences(pair))
-    values.push_back({{"key", value.key}, {"a", value.a}, {"b", value.b}});
-  return values;
-}
-
 Json first_json(const ComparedPair& pair) {
   const auto aspect = pair.difference.first();
   if (!aspect) return nullptr;
@@ -102,7 +96,7 @@ std::string difference_json(const ComparedPair& pair, std::size_t lines) {
             {"same", difference.same()},
             {"a", run_json(pair.a)},
             {"b", run_json(pair.b)},
-            {"machine", machine_json(pair)},
+            {"machine", differing_values_json(machine_differences(pair))},
             {"aspects", Json::array()},
             {"by_limit", limits_json(difference)},
             {"lines_that_differ", difference.by_line.size()},

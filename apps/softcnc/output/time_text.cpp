@@ -98,7 +98,7 @@ Json causes_json(const std::vector<runtime::LossCause>& causes) {
   return list;
 }
 
-/// "reversals at X 0 and X 100", "curves, limited by chord", ...
+/// "reversals of X at X 0 and X 100", "moves, limited by chord", ...
 std::string cause_text(const runtime::LossCause& cause) {
   const bool one = cause.count == 1;
   if (cause.kind == runtime::LossKind::rest)

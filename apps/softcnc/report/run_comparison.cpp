@@ -105,13 +105,6 @@ Json contour_json(const RunComparison& comparison) {
   return list;
 }
 
-Json machine_json(const RunComparison& comparison) {
-  Json list = Json::array();
-  for (const hal::DifferingValue& value : comparison.machine)
-    list.push_back({{"key", value.key}, {"a", value.a}, {"b", value.b}});
-  return list;
-}
-
 }  // namespace
 
 Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b) {
@@ -127,6 +120,13 @@ Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b) {
   return result;
 }
 
+Json differing_values_json(std::span<const hal::DifferingValue> values) {
+  Json list = Json::array();
+  for (const hal::DifferingValue& value : values)
+    list.push_back({{"key", value.key}, {"a", value.a}, {"b", value.b}});
+  return list;
+}
+
 Json comparison_json(const RunComparison& comparison) {
   Json limits = Json::array(), lines = Json::array();
   for (std::size_t i = 0; i < kLimitNames.size(); ++i)
@@ -139,13 +139,12 @@ Json comparison_json(const RunComparison& comparison) {
   Json json = {
       {"time_s", comparison.times},
       {"names", comparison.names},
-      {"machine", machine_json(comparison)},
       {"by_limit", std::move(limits)},
       {"by_line", std::move(lines)},
       {"distance_um", um_from_mm(comparison.distance)},
       {"distance_error_um", um_from_mm(comparison.distance_error)},
       {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
-  if (!comparison.machine.empty()) json["machine"] = machine_json(comparison);
+  if (!comparison.machine.empty()) json["machine"] = differing_values_json(comparison.machine);
   if (comparison.contour[0] || comparison.contour[1]) json["contour_um"] = contour_json(comparison);
   return json;
 }

@@ -7,7 +7,6 @@
 
 #include "ipr/parser/stock_comment.hpp"
 #include "ipr/text/number.hpp"
-#include "motion/geometry/extent.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -34,27 +33,18 @@ void place(StockOutline& stock, const Modal& modal) {
   }
 }
 
-Extent extent_of(const StockOutline& stock) {
-  Extent extent(stock.edges.front().first);
-  for (const auto& [from, to] : stock.edges) {
-    extent.include(from);
-    extent.include(to);
-  }
-  return extent;
-}
-
 /// Once a line: a loop may state it again and again.
 void check_travel(const StockOutline& stock, SourcePos pos, const Machine& machine, Output& out) {
-  const Extent extent = extent_of(stock);
+  const Extent box = extent(stock);
   for (int i = 0; i < kJudgedAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     if (!axis.present) continue;
-    const double below = axis.min - extent.min[i], above = extent.max[i] - axis.max;
+    const double below = axis.min - box.min[i], above = box.max[i] - axis.max;
     if (std::max(below, above) <= kWithin) continue;
     const char letter = kAxisLetters[static_cast<std::size_t>(i)];
     out.report_once(Code::SC4091, pos, std::to_string(pos.line) + letter,
-                    std::string("the stock lies from ") + letter + ' ' +
-                        number_text(extent.min[i]) + " to " + number_text(extent.max[i]) + " mm, " +
+                    std::string("the stock lies from ") + letter + ' ' + number_text(box.min[i]) +
+                        " to " + number_text(box.max[i]) + " mm, " +
                         number_text(std::max(below, above)) + " mm beyond the travel from " +
                         number_text(axis.min) + " to " + number_text(axis.max) + " mm");
   }

@@ -2,7 +2,6 @@
 // LinuxCNC's comment (WORKPIECE,BOX,XMIN=...): the stock that a program is cut from.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "motion/core/result.hpp"

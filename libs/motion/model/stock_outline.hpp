@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motion/core/axes.hpp"
+#include "motion/geometry/extent.hpp"
 
 namespace softcnc {
 
@@ -26,5 +27,15 @@ struct StockOutline {
 
   bool operator==(const StockOutline&) const = default;
 };
+
+/// Returns the smallest box around a stock. Requires that it has edges.
+inline Extent extent(const StockOutline& stock) {
+  Extent box(stock.edges.front().first);
+  for (const auto& [from, to] : stock.edges) {
+    box.include(from);
+    box.include(to);
+  }
+  return box;
+}
 
 }  // namespace softcnc

@@ -12,10 +12,9 @@ namespace {
 constexpr double kLeastOfCause = 1e-9;  // s: less is rounding
 constexpr double kSameSpeed = 1e-9;     // mm/s
 constexpr double kCornerAngle = 1e-3;   // rad: less turns no corner
-constexpr double kReversing =
-    0.5;                         // of the speed: an axis that reverses has so much before and after
-constexpr double kPlace = 1e-3;  // mm: places this near are one
-constexpr std::size_t kFewPlaces = 3;  // more need not be told apart
+constexpr double kReversing = 0.5;      // of the speed, that a reversing axis has before and after
+constexpr double kPlace = 1e-3;         // mm: places this near are one
+constexpr std::size_t kFewPlaces = 3;   // more need not be told apart
 
 }  // namespace
 

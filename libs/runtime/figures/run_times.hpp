@@ -13,9 +13,9 @@ namespace softcnc::runtime {
 
 class RunTimes {
  public:
-  /// Makes the times. `by_line` asks for losses of lines, and their causes. With `of_plan`, rows lie where the plan
-  /// is at their instants; otherwise add_row() counts what limits hold, and the rest is that of the
-  /// plan.
+  /// Makes the times. `by_line` asks for losses of lines, and their causes. With `of_plan`, rows
+  /// lie where the plan is at their instants; otherwise add_row() counts what limits hold, and the
+  /// rest is that of the plan.
   RunTimes(bool by_line, bool of_plan) noexcept : by_line_(by_line), of_plan_(of_plan) {}
 
   /// The first `until` s of a block; `feed_override` is what counts in it. Blocks come in the order

@@ -27,7 +27,7 @@ class Requests {
   /// Lets the machine come to rest on the path, and ends the program there: nothing else is
   /// answered any more.
   void stop() noexcept { panel_.stop = true; }
-  /// Makes what is in force count as requested now, for a path that begins anew.
+  /// Requests again what is in force, for a new path that does not know of it.
   void repeat() noexcept { pending_ = true; }
 
   bool stops() const noexcept { return panel_.stop; }
