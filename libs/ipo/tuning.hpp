@@ -667,6 +667,127 @@ inline constexpr double kMargin = 1 - 1e-9;
 }  // namespace chords
 
 // -------------------------------------------------------------------------------------------------
+// libs/ipo/solver/tube_program
+
+namespace tube_program {
+
+// Of half the distance of two bounds. Choice: the first slack.
+inline constexpr double kInside = 0.1;
+// Of the slope times half the distance. Choice: the first barrier.
+inline constexpr double kFirstBarrier = 0.1;
+// Rounding: a slope of the scaled cost is none.
+inline constexpr double kLeastSlope = 1e-12;
+// Of a diagonal. Rounding: added to it.
+inline constexpr double kRegular = 1e-13;
+// Of the way to a bound. Choice: that a step goes.
+inline constexpr double kToTheBound = 0.995;
+// Steps. Choice: there is no solution if it was not found by then.
+inline constexpr int kMostSteps = 40;
+// mm. Rounding: outside the bounds.
+inline constexpr double kOutside = 1e-9;
+// Of the cost. Choice: how much less it could be.
+inline constexpr double kGap = 3e-3;
+// Of the scaled cost. Rounding: likewise.
+inline constexpr double kLeastGap = 1e-9;
+
+}  // namespace tube_program
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/rebuild
+
+namespace rebuild {
+
+// mm. Choice: the longest knot span.
+inline constexpr double kLongestSpan = 1;
+// mm. Choice: the shortest.
+inline constexpr double kShortestSpan = 0.002;
+// rad. Choice: that a span may turn.
+inline constexpr double kSpanTurn = 0.35;
+// Choice: by how much of their distance neighbouring spans may differ.
+inline constexpr double kGrowth = 0.3;
+// Of the shorter line at a vertex. Choice: on either side, over which it turns.
+inline constexpr double kHalf = 0.5;
+// Tolerances. Choice: the shortest such distance.
+inline constexpr double kTurnRange = 2;
+// Of the way to brake. Choice: how far a window looks ahead.
+inline constexpr double kAhead = 0.4;
+// mm. Choice: at least.
+inline constexpr double kLeastAhead = 8;
+// mm. Choice: at most.
+inline constexpr double kMostAhead = 24;
+// Of that. Choice: how much a window settles.
+inline constexpr double kStep = 0.5;
+// mm. Choice: behind a window, within which its end is chosen.
+inline constexpr double kEndMargin = 3;
+// Places. Choice: among which it is chosen.
+inline constexpr int kEnds = 24;
+// Of the half-width of a basis function that uses all of the tolerance. Choice: the span where a
+// curve becomes straight.
+inline constexpr double kEndSpan = 0.25;
+// Choice: spans are halved until they are this part of what they are at first.
+inline constexpr double kFinest = 0.2;
+// mm. Choice: of lines behind the last knot, which bear on its place.
+inline constexpr double kMargins = kEndMargin + 4.4;
+// Spans. Choice: before a window, the last ones of which are measured with it.
+inline constexpr std::size_t kSpansBefore = 6;
+// Choice: solutions for a window, each with the speeds that the last one permits.
+inline constexpr int kRounds = 2;
+// Choice: solutions up to this one are not measured: the next one differs.
+inline constexpr int kUnmeasured = 1;
+// Choice: solutions at most, with tighter bounds where the curve is too far from the lines.
+inline constexpr int kMostRounds = 8;
+// Of the tolerance. Choice: for which bounds are tightened.
+inline constexpr double kGoal = 0.98;
+// Of the tolerance. Choice: the bounds, which hold at some places of the curve.
+inline constexpr double kMargin = 0.98;
+// Of the cost of a curve that meets the jerk limit. Choice: of one that meets the tolerance.
+inline constexpr double kMiddle = 0.1;
+// Of the limit of acceleration. Choice: by which speeds change beside bends.
+inline constexpr double kRamp = 0.1;
+// Of the jerk limit. Choice: that the jerk of a circle may be.
+inline constexpr double kJerkOfCircle = 3;
+// Places. Choice: over which the first estimate of curvature is a mean.
+inline constexpr std::size_t kSmoothed = 9;
+// mm/s. Choice: slower than this no curve is run.
+inline constexpr double kLeastSpeed = 2;
+// rad. Choice: the slip along the lines is the tolerance by this share of the turn.
+inline constexpr double kSlipTurn = 0.4;
+// Tolerances. Choice: the most it may be.
+inline constexpr double kSlip = 15;
+// Of a span. Choice: a shorter line is held at its ends only.
+inline constexpr double kFewTies = 0.25;
+// Of a span. Choice: from one place at which a line is held to the next.
+inline constexpr double kTies = 0.5;
+// Of the tolerance. Choice: left to places that settled control points shape.
+inline constexpr double kSlack = 1e-3;
+// Of the tolerance. Choice: nearer than this need not be known.
+inline constexpr double kNearEnough = 0.9;
+// Choice: of a distance from the lines.
+inline constexpr double kAccuracy = 0.01;
+// Choice: halvings of a curve while a bound of its distance is not low enough.
+inline constexpr int kHalvings = 10;
+// Steps. Choice: of Newton's method, to the nearest point.
+inline constexpr int kFootSteps = 6;
+// mm. Choice: how exactly that is found.
+inline constexpr double kFootPlace = 1e-6;
+// Square of the speed by the parameter. Rounding: at least.
+inline constexpr double kSlowest = 1e-6;
+// Tolerances. Choice: along the lines, to those that may be nearer.
+inline constexpr double kNearby = 4;
+// mm. Choice: a shorter part of the curve is none.
+inline constexpr double kShortestPart = 1e-6;
+// mm. Choice: of a long line, that may be part of the curve next to it.
+inline constexpr double kLine = 8;
+// mm. Choice: a longer arc stays one.
+inline constexpr double kLongestArc = 24;
+// Of the tolerance. Choice: the distance of an arc from its chords.
+inline constexpr double kArcShare = 1.0 / 32;
+// Lines. Choice: fewer are no run.
+inline constexpr std::size_t kFewestLines = 4;
+
+}  // namespace rebuild
+
+// -------------------------------------------------------------------------------------------------
 // libs/ipo/smoothing/blend
 
 namespace blend {

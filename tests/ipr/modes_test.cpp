@@ -89,6 +89,33 @@ TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
   CHECK(moves[7].path_mode == PathMode::stop);
 }
 
+TEST_CASE("codes of other controls ask for smoothing within a tolerance", "[ipr][modes]") {
+  Machine machine;
+  machine.control.corner_tolerance = 0.25;
+  machine.control.smoothing_tolerance = 0.5;
+  const auto tolerances = [&](const std::string& program, const InterpreterOptions& options) {
+    const Interpreted read = interpret(program, machine, options);
+    CHECK(places(read).empty());
+    std::vector<double> found;
+    for (const Block& block : read.blocks)
+      if (const Move* move = std::get_if<Move>(&block.what)) {
+        CHECK(move->corner_tolerance == move->chord_tolerance);
+        found.push_back(move->corner_tolerance);
+      }
+    return found;
+  };
+  using Tolerances = std::vector<double>;
+  CHECK(tolerances("G01 X1. F600.\nG05.1 Q1\nX2.\nG05.1 Q0\nX3.\nM30\n", kFanuc) ==
+        Tolerances{0.25, 0.5, 0.25});
+  CHECK(tolerances("G01 X1. F600.\nG187 E0.1\nX2.\nG187 P1\nX3.\nG187\nX4.\nM30\n", kHaas) ==
+        Tolerances{0.25, 0.1, 0.5, 0.25});
+  CHECK(tolerances("G20 G01 X1. F60.\nG187 P3 E0.1\nX2.\nM30\n", kHaas) == Tolerances{0.25, 2.54});
+  // What is followed exactly stays so.
+  CHECK(tolerances("G61 G01 X1. F600.\nG187 E0.1\nX2.\nM30\n", kHaas) == Tolerances{0, 0});
+  CHECK(tolerances("G61 G01 X1. F600.\nG05.1 Q1\nX2.\nM30\n", kFanuc) == Tolerances{0, 0});
+  CHECK(places(interpret("G187 E-1.\nM30\n", machine, kHaas)) == Places{"SC2007 1:6"});
+}
+
 TEST_CASE("R of G64 has no effect, which is noted once", "[ipr][modes]") {
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
     const auto read =

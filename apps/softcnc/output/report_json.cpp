@@ -166,6 +166,13 @@ std::string report_json(Job& job, const JobResult& result) {
     report["planner_plan_nodes"] = outcome.planner.effort.nodes;
     report["planner_iterations"] = outcome.planner.effort.iterations;
     report["planner_fallbacks"] = outcome.planner.effort.fallbacks;
+    const ipo::RebuildCounts& rebuild = outcome.planner.rebuild;
+    if (rebuild.curves > 0) {
+      report["rebuilt_lines"] = rebuild.lines;
+      report["rebuilt_curves"] = rebuild.curves;
+      report["rebuild_deviation_um_max"] = 1e3 * rebuild.deviation;
+      report["rebuild_fallbacks"] = rebuild.fallbacks;
+    }
     if (result.tally) {
       report["stream_rows"] = result.tally->rows;
       report["stream_xxh3"] = result.tally->checksum;

@@ -125,6 +125,10 @@ const MachineKey kMachineKeys[] = {
      choice_in<&Machine::control, &Control::constant_feed>(kConstantFeedNames)},
     {"control.corner_tolerance_um", "um", "largest deviation of corners that G64 without P rounds; 0: the path is followed exactly",
      NumberKey{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
+    {"control.smoothing_tolerance_um", "um", "the same between G05.1 Q1 and Q0 (fanuc) and after G187 with P and without E (haas); 0: these codes have no effect",
+     NumberKey{control<&Control::smoothing_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
+    {"control.rebuild", "", "whether lines and arcs that a program cut a curve into become a curve again, within the tolerance of corners, where axes have jerk limits (docs/corners.md)",
+     choice_in<&Machine::control, &Control::rebuild>(kRebuildNames)},
     {"control.backend", "", "where setpoints go: nowhere, to the simulated mill, to drives with step and direction inputs (a file of edges or a parallel port), or to a machine on LinuxCNC's HAL",
      choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 

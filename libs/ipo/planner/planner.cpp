@@ -115,6 +115,7 @@ void Planner::append(const Move& move, RestBefore rest) {
 PlannerCounts Planner::counts() const noexcept {
   PlannerCounts counts = counts_;
   counts.effort += window_->effort();
+  counts.rebuild = corners_.counts();
   return counts;
 }
 

@@ -24,6 +24,7 @@ struct PlannerCounts {
   std::size_t nodes = 0;   // of the grid, in all
   std::size_t passes = 0;  // over the window
   PlanEffort effort;
+  RebuildCounts rebuild;
 };
 
 class Planner {

@@ -15,30 +15,7 @@ double aside(const AxisVector& point, const AxisVector& from, const AxisVector& 
   return (off - off.dot(direction) * direction).norm();
 }
 
-/// Moves the marks from s on into a list of their own, which begins with the one valid there.
-std::vector<Mark> split(std::vector<Mark>& marks, double s) {
-  const auto after =
-      std::find_if(marks.begin(), marks.end(), [s](const Mark& m) { return m.s > s; });
-  std::vector<Mark> rest{after[-1]};
-  rest.insert(rest.end(), after, marks.end());
-  marks.erase(after, marks.end());
-  for (Mark& mark : rest) mark.s = std::max(mark.s - s, 0.0);
-  return rest;
-}
-
 }  // namespace
-
-std::vector<Mark> cut_front(Chord& chord, double length) {
-  std::vector<Mark> rest = split(chord.marks, length);
-  chord.from = Line(chord.from, chord.to).position(length);
-  return std::exchange(chord.marks, std::move(rest));
-}
-
-std::vector<Mark> cut_back(Chord& chord, double length) {
-  const Line line(chord.from, chord.to);
-  chord.to = line.position(line.length() - length);
-  return split(chord.marks, line.length() - length);
-}
 
 double merge_tolerance(const MoveAttributes& attributes) noexcept {
   const double p = attributes.corner_tolerance, q = attributes.chord_tolerance;
@@ -46,16 +23,13 @@ double merge_tolerance(const MoveAttributes& attributes) noexcept {
   return tuning::chords::kMargin * std::max(std::min(q, tuning::chords::kPart * whole), whole - p);
 }
 
-double corner_tolerance(const MoveAttributes& attributes, double deviation) noexcept {
-  const double p = attributes.corner_tolerance;
-  return tuning::chords::kMargin * std::min(p, std::max(p, attributes.chord_tolerance) - deviation);
-}
-
-bool ChordMerge::add(const Line& line, const MoveAttributes& attributes, const Mark& mark) {
+bool ChordMerge::add(const Line& line, const MoveAttributes& attributes, const Mark& mark,
+                     double deviation) {
   if (empty()) {
     from_ = line.from();
     attributes_ = attributes;
-  } else if (!(attributes == attributes_) || !fits(line.to())) {
+    deviation_ = deviation;
+  } else if (!(attributes == attributes_) || deviation > 0 || deviation_ > 0 || !fits(line.to())) {
     return false;
   }
   points_.push_back(line.to());
@@ -79,7 +53,7 @@ bool ChordMerge::fits(const AxisVector& to) const noexcept {
 }
 
 Chord ChordMerge::take() {
-  Chord chord{from_, points_.back(), attributes_, 0, std::move(marks_)};
+  Chord chord{from_, points_.back(), attributes_, deviation_, std::move(marks_)};
   const AxisVector direction = (chord.to - from_).normalized();
   chord.marks.front().s = 0;
   for (std::size_t i = 1; i < chord.marks.size(); ++i) {

@@ -2,6 +2,7 @@
 #include "ipo/smoothing/corner_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ipo/limits/planner_limits.hpp"
@@ -21,6 +22,15 @@ CornerSide side_of(const Path& path, const MoveAttributes& attributes) {
   return {path, 0, length(path), attributes};
 }
 
+PathEnd beginning_of(const Move& move) {
+  return {at(move.path, 0).dq, length(move.path), corner_tolerance(attributes_of(move), 0)};
+}
+
+PathEnd end_of(const Move& move) {
+  const double s = length(move.path);
+  return {at(move.path, s, Side::before).dq, s, corner_tolerance(attributes_of(move), 0)};
+}
+
 Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
 
 /// Returns the inner positions where the tangent of a path jumps.
@@ -38,10 +48,12 @@ std::vector<double> inner_corners(const Path& path) {
 CornerStage::CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial)
     : machine_(machine),
       choice_(machine, std::move(trial)),
-      has_jerk_limit_(limits_jerk(machine)) {}
+      has_jerk_limit_(limits_jerk(machine)),
+      rebuilds_(has_jerk_limit_ && machine.control.rebuild == Rebuild::on),
+      lines_(machine, out_, choice_, rebuilds_) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
-  if (!chord_.empty() || !polyline_.empty() || held_ || !out_.empty()) return false;
+  if (!chord_.empty() || !lines_.empty() || held_ || arc_ || !out_.empty()) return false;
   const Move* move = std::get_if<Move>(&block.what);
   return !move || !is_rounded(*move);
 }
@@ -49,13 +61,29 @@ bool CornerStage::passes(const Block& block) const noexcept {
 void CornerStage::push(Block&& block) {
   const Move* move = std::get_if<Move>(&block.what);
   const bool rounded = move && is_rounded(*move);
-  if (!rounded || !joins(*move)) flush();
+  const bool joined = rounded && joins(*move);
+  if (arc_) settle_arc(joined ? move : nullptr);
+  if (!joined) flush();
   if (!rounded) {
     out_.push_back({std::move(block), {}, 0});
     return;
   }
+  const bool goes_on = joined && is_part_of_curve(end_, beginning_of(*move));
   last_ = attributes_of(*move);
-  std::holds_alternative<Line>(move->path) ? push_line(block) : push_curve(std::move(block));
+  end_ = end_of(*move);
+  if (std::holds_alternative<Line>(move->path)) return push_line(block);
+  const bool is_short_arc = rebuilds_ && std::holds_alternative<Arc>(move->path) &&
+                            length(move->path) <= tuning::rebuild::kLongestArc;
+  if (!is_short_arc || !goes_on) return push_curve(std::move(block));
+  arc_ = std::move(block);
+}
+
+/// A short arc between others that it meets smoothly is a part of a curve, as short lines are.
+void CornerStage::settle_arc(const Move* next) {
+  Block arc = *std::exchange(arc_, std::nullopt);
+  const bool goes_on =
+      next && is_part_of_curve(end_of(std::get<Move>(arc.what)), beginning_of(*next));
+  goes_on ? push_arc(arc) : push_curve(std::move(arc));
 }
 
 void CornerStage::finish() { flush(); }
@@ -75,6 +103,22 @@ void CornerStage::push_line(const Block& block) {
   if (chord_.add(line, attributes_of(move), mark_of(block))) return;
   close_chord();
   chord_.add(line, attributes_of(move), mark_of(block));
+}
+
+/// As chords that are nearer to it than matters to the curve which they become.
+void CornerStage::push_arc(const Block& block) {
+  const Move& move = std::get<Move>(block.what);
+  const double length = softcnc::length(move.path);
+  const double deviation = tuning::rebuild::kArcShare * move.corner_tolerance;
+  const double bend = at(move.path, 0.5 * length).ddq.norm();
+  const double parts = std::ceil(length * std::sqrt(bend / (8 * deviation)));
+  AxisVector from = start(move.path);
+  for (double i = 1; i <= parts; ++i) {
+    const AxisVector to = i < parts ? position(move.path, i / parts * length) : end(move.path);
+    close_chord();
+    chord_.add(Line(from, to), attributes_of(move), mark_of(block), deviation);
+    from = to;
+  }
 }
 
 /// A NURBS with corners inside is several curves.
@@ -117,15 +161,15 @@ double CornerStage::leave_chord(const Path& after, const Side& next) {
   if (held_) begin_with_held(chord);
   const Path line = Line(chord.from, chord.to);
   const double left =
-      (polyline_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * length(line);
+      (lines_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * length(line);
   const double tolerance = std::min(corner_tolerance(chord.attributes, chord.deviation),
                                     corner_tolerance(next.attributes, 0));
   const auto blend =
       blend_into(side_of(line, chord.attributes), left, tolerance, side_of(after, next.attributes));
   Side last{chord.attributes, {}, chord.deviation};
   if (blend) last.marks = cut_back(chord, blend->before);
-  polyline_.add(chord);
-  polyline_.end();
+  lines_.add(std::move(chord), true);
+  lines_.end();
   if (blend) emit_blend(*blend, std::move(last), next);
   return blend ? blend->after : 0;
 }
@@ -153,13 +197,15 @@ std::optional<Blend> CornerStage::leave_held(const CornerSide& after, double tol
 void CornerStage::close_chord() {
   if (chord_.empty()) return;
   Chord chord = chord_.take();
-  if (held_) begin_with_held(chord);
-  polyline_.add(chord);
+  const bool follows_curve = held_.has_value();
+  if (follows_curve) begin_with_held(chord);
+  lines_.add(std::move(chord), follows_curve);
 }
 
 void CornerStage::flush() {
+  if (arc_) settle_arc(nullptr);
   close_chord();
-  polyline_.end();
+  lines_.end();
   if (held_) emit_held(length(held_->path()));
   held_.reset();
   last_.reset();

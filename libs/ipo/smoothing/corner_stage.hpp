@@ -8,7 +8,7 @@
 
 #include "ipo/smoothing/blend.hpp"
 #include "ipo/smoothing/chord_merge.hpp"
-#include "ipo/smoothing/polyline.hpp"
+#include "ipo/smoothing/line_runs.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {
@@ -30,6 +30,8 @@ class CornerStage {
   /// Ends the program.
   void finish();
 
+  const RebuildCounts& counts() const noexcept { return lines_.counts(); }
+
   /// Returns the next piece that can no longer change.
   std::optional<Piece> pop();
 
@@ -49,7 +51,9 @@ class CornerStage {
     double deviation = 0;  // mm: of that part
   };
 
+  void settle_arc(const Move* next);
   void push_line(const Block& block);
+  void push_arc(const Block& block);
   void push_curve(Block block);
   void hold(Block block);
   double leave_chord(const Path& after, const Side& next);
@@ -68,10 +72,13 @@ class CornerStage {
   const Machine& machine_;
   CornerChoice choice_;
   bool has_jerk_limit_ = false;
+  bool rebuilds_ = false;
   std::deque<Piece> out_;
-  Polyline polyline_{out_, choice_};
+  LineRuns lines_;
   ChordMerge chord_;
   std::optional<Held> held_;            // before the chord, if there is one
+  std::optional<Block> arc_;            // after them, if what follows decides about it
+  PathEnd end_;                         // of the move before
   std::optional<MoveAttributes> last_;  // of the move before, if it may be joined
 };
 

@@ -44,6 +44,12 @@ void note_switch(Task& task) {
       code_name(task.code) + " has no effect: softcnc looks ahead over the whole program anyway");
 }
 
+/// G05.1 Q1 and Q0 switch smoothing, if the machine has a tolerance for that.
+void use_switch(Task& task) {
+  const bool smooths = task.code.number == kG051 && task.machine.control.smoothing_tolerance > 0;
+  smooths ? switch_smoothing(task, task.values.value_or('Q', 0) != 0) : note_switch(task);
+}
+
 /// No word of the line leads out of the plane, and one leads to an end.
 bool is_in_plane(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
@@ -130,7 +136,7 @@ void quadratic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
 bool is_known_as_curve(Task& task) {
   const bool fanuc = is_fanuc_like(task.options.dialect);
   if (fanuc == is_switch(task)) {
-    if (fanuc) note_switch(task);
+    if (fanuc) use_switch(task);
     return !fanuc;
   }
   if (fanuc)

@@ -206,6 +206,9 @@ void use_incremental_centres(Task& task);
 void switch_override(Task& task);
 void follow_exactly(Task& task);
 void follow_path_within(Task& task);
+void smooth_path(Task& task);
+/// G05.1 Q1 and Q0.
+void switch_smoothing(Task& task, bool on);
 void stop_exactly(Task& task);
 void set_feed(Task& task);
 void select_feed_mode(Task& task);

@@ -17,14 +17,14 @@ void set_path_mode(Modal& modal, PathMode mode, double corner, double chord, boo
   modal.exact_path = exact;
 }
 
-/// A tolerance of G64 in mm.
+/// A tolerance in mm, of G64 or G187.
 double tolerance(Task& task, char letter, double otherwise) {
   if (!task.values.has(letter)) return otherwise;
   const Word& word = task.values.word(letter);
   const double given = word.value * task.modal.mm_per_unit;
   if (given >= 0 && is_near(given)) return given;
   task.out.report(Code::SC2007, word.pos,
-                  std::string(1, letter) + ", a tolerance of G64, must " +
+                  std::string(1, letter) + ", a tolerance of " + code_name(task.code) + ", must " +
                       (given < 0 ? "not be negative" : "be 1000000 mm at most"));
   return otherwise;
 }
@@ -82,6 +82,30 @@ void follow_path_within(Task& task) {
   const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
   const double chord = tolerance(task, 'Q', corner);
   set_path_mode(task.modal, PathMode::follow, corner, chord, false);
+}
+
+/// The tolerance of the machine for smoothing, or that for corners; not where a path is followed
+/// exactly.
+void switch_smoothing(Task& task, bool on) {
+  Modal& modal = task.modal;
+  const Control& control = task.machine.control;
+  const double tolerance = on ? control.smoothing_tolerance : control.corner_tolerance;
+  if (modal.exact_path || modal.path_mode == PathMode::stop) return;
+  set_path_mode(modal, PathMode::follow, tolerance, tolerance, false);
+}
+
+/// G187: E is the tolerance, P alone asks for that of the machine, and without both it is that for
+/// corners again.
+void smooth_path(Task& task) {
+  const Control& control = task.machine.control;
+  const Values& values = task.values;
+  if (values.has('P') && !values.has('E') && control.smoothing_tolerance == 0)
+    return pass_over(task);
+  if (!values.has('E')) return switch_smoothing(task, values.has('P'));
+  const double within = tolerance(task, 'E', control.corner_tolerance);
+  Modal& modal = task.modal;
+  if (modal.exact_path || modal.path_mode == PathMode::stop) return;
+  set_path_mode(modal, PathMode::follow, within, within, false);
 }
 
 /// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.

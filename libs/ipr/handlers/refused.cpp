@@ -46,7 +46,7 @@ void refuse_of_haas(Task& task) {
   report(task, "it shows a text to the operator and puts the key pressed into the variable of P");
 }
 
-/// G103 and G187: how far a control looks ahead, and how closely it follows the path.
+/// G103: how far a control looks ahead; G187 P: how smoothly it moves.
 void pass_over(Task& task) {
   task.out.report(Code::SC2268, task.word.pos,
                   code_name(task.code) +

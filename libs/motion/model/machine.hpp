@@ -46,12 +46,17 @@ constexpr std::string_view name(BackendKind backend) noexcept {
 enum class Follow : std::uint8_t { off, lead, model };
 inline constexpr std::array<std::string_view, 3> kFollowNames{"off", "lead", "model"};
 
+/// Whether the lines of a curve that a program cut into them become a curve again.
+enum class Rebuild : std::uint8_t { off, on };
+inline constexpr std::array<std::string_view, 2> kRebuildNames{"off", "on"};
+
 struct Control {
   double period = 0.001;           // s: one setpoint each
   double servo_period = 0;         // s: of fine interpolation; 0: see fine_period()
   double chord_tolerance = 0.001;  // mm
   Method interpolation = Method::arc_length;
   double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
+  double smoothing_tolerance = 0;  // mm: where a program asks for smoothing; 0: corner_tolerance
   double contour_tolerance = 0;    // mm: what the drives may leave of the path; 0: not limited
   BackendKind backend = BackendKind::sim;
   PulseClock pulse_clock = PulseClock::profile;
@@ -59,6 +64,7 @@ struct Control {
   double rough_period = 0.008;  // s: of rough interpolation by Method::two_step
   ConstantFeed constant_feed = ConstantFeed::on;
   Follow follow = Follow::off;
+  Rebuild rebuild = Rebuild::on;
 };
 
 /// Returns whether the clocks of a move are equal parts of it, in whatever direction they lead: by
