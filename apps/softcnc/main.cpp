@@ -76,6 +76,8 @@ int dispatch(const Options& options) {
       return check(options);
     case CommandName::blocks:
       return blocks(options);
+    case CommandName::convert:
+      return convert(options);
     case CommandName::record:
       return record(options);
     case CommandName::replay:

@@ -742,6 +742,15 @@ inline constexpr double kGoal = 0.98;
 inline constexpr double kMargin = 0.98;
 // Of the cost of a curve that meets the jerk limit. Choice: of one that meets the tolerance.
 inline constexpr double kMiddle = 0.1;
+// Choice: the largest ratio of jerk limits that shapes curves; at 40 they are a third slower.
+inline constexpr double kJerkRatio = 4;
+// Choice: where jerk limits differ more, lines are rounded: curves are then planned badly, at 200
+// ten times slower.
+inline constexpr double kUnlikeAxes = 10;
+// Of the tolerance. Choice: kept from the ends of travel, at some places of the curve.
+inline constexpr double kTravelMargin = 0.05;
+// Of a direction. Choice: across the path, near enough to that of an axis.
+inline constexpr double kAcross = 0.3;
 // Of the limit of acceleration. Choice: by which speeds change beside bends.
 inline constexpr double kRamp = 0.1;
 // Of the jerk limit. Choice: that the jerk of a circle may be.

@@ -10,8 +10,8 @@ using namespace softcnc::app::test;
 namespace {
 
 const std::string kKnown =
-    "; the commands are run, check, blocks, record, replay, diff, report, surface, compare, "
-    "circle, identify, machine, latency, pulses, codes\nRun with --help for more "
+    "; the commands are run, check, blocks, convert, record, replay, diff, report, surface, "
+    "compare, circle, identify, machine, latency, pulses, codes\nRun with --help for more "
     "information.\n";
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("help").out == call("--help").out);
   CHECK(shows(call("help chek").err, "'chek' is not a command; did you mean 'check'?"));
   for (const char* command :
-       {"", "run", "check", "blocks", "record", "replay", "surface", "compare", "circle",
+       {"", "run", "check", "blocks", "record", "replay", "surface", "compare", "circle", "convert",
         "identify", "machine", "latency", "pulses", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
@@ -80,8 +80,8 @@ TEST_CASE("what is wrong with a command line is said in softcnc's words", "[apps
 
 TEST_CASE("help has groups and three examples, and each example names the command", "[apps][cli]") {
   for (const std::string command :
-       {"run", "check", "blocks", "record", "replay", "diff", "report", "surface", "compare",
-        "circle", "identify", "machine", "latency", "pulses", "codes"}) {
+       {"run", "check", "blocks", "convert", "record", "replay", "diff", "report", "surface",
+        "compare", "circle", "identify", "machine", "latency", "pulses", "codes"}) {
     const std::string help = call(command + " --help").out;
     CAPTURE(command);
     const std::size_t examples = help.find("\nExamples:\n  softcnc " + command);

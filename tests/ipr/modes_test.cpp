@@ -114,6 +114,7 @@ TEST_CASE("codes of other controls ask for smoothing within a tolerance", "[ipr]
   CHECK(tolerances("G61 G01 X1. F600.\nG187 E0.1\nX2.\nM30\n", kHaas) == Tolerances{0, 0});
   CHECK(tolerances("G61 G01 X1. F600.\nG05.1 Q1\nX2.\nM30\n", kFanuc) == Tolerances{0, 0});
   CHECK(places(interpret("G187 E-1.\nM30\n", machine, kHaas)) == Places{"SC2007 1:6"});
+  CHECK(places(interpret("G187 P4\nM30\n", machine, kHaas)) == Places{"SC2007 1:6"});
 }
 
 TEST_CASE("R of G64 has no effect, which is noted once", "[ipr][modes]") {

@@ -31,6 +31,8 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::run, "run", "Check a part program, then run it on the machine"},
     {CommandName::check, "check", "Check part programs without motion"},
     {CommandName::blocks, "blocks", "Print the blocks of a part program, one JSON object per line"},
+    {CommandName::convert, "convert",
+     "Write a part program with curves for chords, or the reverse"},
     {CommandName::record, "record", "Run a part program and record what replay needs"},
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
     {CommandName::diff, "diff", "Compare two runs: programs, traces or recordings"},
@@ -212,6 +214,13 @@ void format(CLI::App& app, const OptionEntry& entry, Options& options) {
                                         ipr::Format::commands};
     to.format = kFormats[index];
   });
+}
+
+void curve_form(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {runtime::kCurveForms.begin(), runtime::kCurveForms.end()},
+         [](Options& to, std::size_t index) {
+           to.curve_form = static_cast<runtime::CurveForm>(index);
+         });
 }
 
 void progress(CLI::App& app, const OptionEntry& entry, Options& options) {
@@ -507,15 +516,19 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 using enum CommandName;
 constexpr Commands kRuns{run, record};
 constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
-constexpr Commands kPrograms{run, check, blocks, record, report, surface};
-constexpr Commands kReads{run, check, blocks, record, report, surface, compare, diff};
-constexpr Commands kMachine{run,     check,   blocks,   record,  replay, report,
+constexpr Commands kPrograms{run, check, blocks, convert, record, report, surface};
+constexpr Commands kReads{run, check, blocks, convert, record, report, surface, compare, diff};
+constexpr Commands kMachine{run,     check,   blocks,   convert, record, replay, report,
                             surface, machine, identify, latency, pulses, diff};
-constexpr Commands kMachines{run,     check,   blocks,   record,  replay, report, surface,
-                             compare, machine, identify, latency, pulses, diff};
+constexpr Commands kMachines{run,     check,   blocks,  convert,  record,  replay, report,
+                             surface, compare, machine, identify, latency, pulses, diff};
 
 constexpr OptionEntry kOptions[] = {
-    {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
+    {{run, record, blocks, convert, surface},
+     "PART",
+     "",
+     "Part program; - is standard input",
+     one_file},
     {{check}, "PART", "", "Part programs, or folders of them; - is standard input", files},
     {{compare}, "PART", "", "Part programs; - is standard input", files},
     {{report},
@@ -598,7 +611,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters), read before the run and written after it",
      text<&Options::state>},
-    {{check, blocks, record, report, surface, compare, diff},
+    {{check, blocks, convert, record, report, surface, compare, diff},
      "--state",
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
@@ -714,6 +727,17 @@ constexpr OptionEntry kOptions[] = {
      "-o,--output",
      "FILE.rec",
      "The recording to write",
+     required_text<&Options::output>},
+    {{convert},
+     "--to",
+     "",
+     "What curves are written as: NURBS (g06.2), splines by control points (g05.2), lines (g1), or "
+     "lines and arcs (g1g2g3), these within control.chord_tolerance_um (default g06.2)",
+     curve_form},
+    {{convert},
+     "-o,--output",
+     "FILE",
+     "The part program to write; - is standard output",
      required_text<&Options::output>},
     {{surface},
      "-o,--output",

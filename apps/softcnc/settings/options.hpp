@@ -16,6 +16,7 @@
 #include "motion/model/machine.hpp"
 #include "pictures/picture_options.hpp"
 #include "runtime/circle/circle_plane.hpp"
+#include "runtime/conversion/curve_form.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
 #include "settings/tolerance.hpp"
@@ -37,7 +38,8 @@ enum class CommandName : std::uint8_t {
   latency,
   pulses,
   codes,
-  circle
+  circle,
+  convert
 };
 
 /// How a table is written.
@@ -82,7 +84,7 @@ struct Options {
   bool realtime = false;                      // run, record: as fast as the clock goes
   std::string trace, report;                  // files; empty: none
   std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
-  std::string output;                         // of record, surface, compare, identify
+  std::string output;                         // of record, surface, compare, identify, convert
   bool actual = false;                        // surface: cut by where the simulated mill is
 
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
@@ -104,6 +106,8 @@ struct Options {
   DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
   ProgressMode progress = ProgressMode::automatic;
   bool quiet = false, verbose = false;
+
+  runtime::CurveForm curve_form = runtime::CurveForm::g06_2;  // convert
 
   runtime::CirclePlane plane = runtime::CirclePlane::xy;  // circle
   std::vector<double> centre;  // circle: mm, in the plane; empty: that of each circle's own points

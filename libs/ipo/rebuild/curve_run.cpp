@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 
-CurveRun::CurveRun(const Machine& machine, std::deque<Piece>& out)
-    : machine_(machine), limits_(shape_limits(machine)), out_(out) {}
+CurveRun::CurveRun(const Machine& machine, std::deque<Piece>& out, const RebuildOptions& options)
+    : limits_(shape_limits(machine)), out_(out), options_(options) {}
 
 void CurveRun::begin(const AxisVector& point, RunEnd kind) {
   guide_.begin(point);
@@ -17,18 +18,16 @@ void CurveRun::begin(const AxisVector& point, RunEnd kind) {
   knots_.assign(1, 0.0);
   control_.clear();
   tightened_.clear();
-  done_ = 0;
+  done_ = emitted_ = 0;
   begun_ = false;
   last_.reset();
   last_mark_ = {0, {}, -1};
   point_ = point;
   gave_up_.reset();
-  ++counts_.curves;
 }
 
 void CurveRun::add(const Chord& chord) {
   guide_.add(chord);
-  counts_.lines += chord.marks.size();
   if (!gave_up_) settle();
 }
 
@@ -45,8 +44,9 @@ CurveRun::Extent CurveRun::window_extent() const {
                              limits_.feed, limits_.velocity.minCoeff()});
   const double a = limits_.acceleration.minCoeff(), j = limits_.jerk.minCoeff();
   const double braking = v * v / a + v * std::sqrt(v / j);
-  const double ahead = std::clamp(tuning::rebuild::kAhead * braking, tuning::rebuild::kLeastAhead,
-                                  tuning::rebuild::kMostAhead);
+  const double ahead = std::sqrt(options_.coarsest) * std::clamp(tuning::rebuild::kAhead * braking,
+                                                                 tuning::rebuild::kLeastAhead,
+                                                                 tuning::rebuild::kMostAhead);
   return {tuning::rebuild::kStep * ahead, ahead};
 }
 
@@ -58,10 +58,11 @@ void CurveRun::settle() {
     std::size_t last = 0;
     TubeWindow window;
     bool solved = false;
-    for (fineness_ = 1; !solved && fineness_ > tuning::rebuild::kFinest; fineness_ *= 0.5) {
+    for (fineness_ = options_.coarsest; !solved && fineness_ > tuning::rebuild::kFinest;
+         fineness_ *= 0.5) {
       last = window_end(until);
       window = window_to(last);
-      solved = solve(window, guide_, limits_) && stays_in_travel(window);
+      solved = settles_some(last) && solve(window, guide_, limits_) && stays_in_travel(window);
     }
     const std::size_t offset = done_ - window.first_span;
     for (std::size_t i = 0; i < window.tightened.size() && offset + i < tightened_.size(); ++i)
@@ -77,6 +78,11 @@ void CurveRun::settle() {
     }
     forget();
   }
+}
+
+/// Whether a window reaches so far beyond its beginning that control points of it may be settled.
+bool CurveRun::settles_some(std::size_t last) const {
+  return (guide_.ended() && knots_[last] >= guide_.length()) || last > done_ + kQuinticDegree + 1;
 }
 
 /// Returns the last knot of the next window, at `until` or not far behind it.
@@ -120,6 +126,7 @@ double CurveRun::span_at(double t, double end, bool on_line) {
 void CurveRun::lay_knots(double end, bool on_line) {
   knots_.resize(is_settled() ? done_ + kQuinticDegree + 1 : 1);
   const std::size_t kept = knots_.size();
+  if (fineness_ != std::exchange(laid_fineness_, fineness_)) tightened_.resize(kept - 1);
   while (knots_.back() < end) {
     const double t = knots_.back();
     const double span = span_at(t, end, on_line);
@@ -183,13 +190,11 @@ std::optional<AxisVector> CurveRun::last_control(const std::vector<double>& knot
 }
 
 bool CurveRun::stays_in_travel(const TubeWindow& window) const {
-  for (int i = 0; i < kAxes; ++i) {
-    const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
-    if (!axis.present) continue;
-    for (std::size_t k = window.fixed_first; k < window.spline.control.size(); ++k)
-      if (window.spline.control[k][i] < axis.min || window.spline.control[k][i] > axis.max)
+  for (std::size_t span = window.first_span; span < window.spline.spans(); ++span)
+    for (const AxisVector& point : bezier_of(window.spline, span).points)
+      if ((point.array() < limits_.least.array()).any() ||
+          (point.array() > limits_.most.array()).any())
         return false;
-  }
   return true;
 }
 
@@ -207,8 +212,8 @@ void CurveRun::take(std::size_t until) {
   const std::size_t points = until + kQuinticDegree;
   for (std::size_t i = control_.size(); i < points; ++i)
     control_.push_back(last_->spline.control[i - last_first_]);
-  emit(knots_[done_], knots_[until]);
   done_ = until;
+  emit_settled(until == last_end_);
 }
 
 /// Goes on along the last solution while it lasts; behind its end there is no curve.
@@ -229,8 +234,8 @@ void CurveRun::fall_back(double step) {
 /// Drops what has been passed, many knots at a time.
 void CurveRun::forget() {
   const std::size_t kept = tuning::rebuild::kSpansBefore + kQuinticDegree;
-  if (done_ < 4 * kept) return;
-  const std::size_t dropped = done_ - kept;
+  if (emitted_ < 4 * kept) return;
+  const std::size_t dropped = emitted_ - kept;
   const auto drop = [&](auto& from) {
     from.erase(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(dropped));
   };
@@ -238,6 +243,7 @@ void CurveRun::forget() {
   drop(control_);
   drop(tightened_);
   done_ -= dropped;
+  emitted_ -= dropped;
   last_end_ -= dropped;
   if (last_ && last_first_ < dropped) {
     const auto passed = static_cast<std::ptrdiff_t>(dropped - last_first_);

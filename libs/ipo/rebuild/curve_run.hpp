@@ -30,10 +30,15 @@ struct RebuildCounts {
   double deviation = 0;       // mm: the largest distance between both, at most
 };
 
+struct RebuildOptions {
+  double coarsest = 1;          // times the usual length of spans, where that stays in the tube
+  std::size_t least_spans = 1;  // of a piece of the curve
+};
+
 class CurveRun {
  public:
-  /// Pieces are appended to `out`; it and the machine must outlive the run.
-  CurveRun(const Machine& machine, std::deque<Piece>& out);
+  /// Pieces are appended to `out`, which must outlive the run.
+  CurveRun(const Machine& machine, std::deque<Piece>& out, const RebuildOptions& options = {});
 
   void begin(const AxisVector& point, RunEnd kind);
   /// Adds a line from where the last one ended.
@@ -45,6 +50,8 @@ class CurveRun {
   std::optional<double> gave_up() const noexcept { return gave_up_; }
   /// Returns up to where pieces have left, mm of the lines.
   double reached() const noexcept { return knots_.empty() ? 0 : knots_[done_]; }
+  /// Whether the axes are much alike for which lines in these directions ask most.
+  bool suits(const AxisVector& shares) const noexcept { return are_alike(limits_, shares); }
   const AxisVector& last_point() const noexcept { return point_; }
   const RebuildCounts& counts() const noexcept { return counts_; }
 
@@ -59,36 +66,45 @@ class CurveRun {
   double span_at(double t, double end, bool on_line);
   void lay_knots(double end, bool on_line);
   bool is_settled() const noexcept { return done_ > 0 || begun_; }
+  bool settles_some(std::size_t last) const;
   std::size_t window_end(double until);
   TubeWindow window_to(std::size_t last);
   std::optional<AxisVector> last_control(const std::vector<double>& knots, std::size_t i,
                                          std::size_t first) const;
   bool stays_in_travel(const TubeWindow& window) const;
   void take(std::size_t until);
-  void emit(double t0, double t1);
-  void emit_piece(double t0, double t1, const MoveAttributes& attributes);
+  void emit_settled(bool all);
+  QuinticSpline settled_spline(bool is_end) const;
+  void emit(const QuinticSpline& spline, double t0, double t1);
+  void emit_piece(const QuinticSpline& spline, double t0, double t1,
+                  const MoveAttributes& attributes);
+  void emit_straight(const AxisVector& from, const MoveAttributes& attributes);
   double place_of(double t) const;
   std::vector<Mark> marks_until(double t0, double t1, const Nurbs& curve);
   std::size_t step_end(double step, std::size_t last) const;
   void fall_back(double step);
   void forget();
 
-  const Machine& machine_;
   ShapeLimits limits_;
   std::deque<Piece>& out_;
+  RebuildOptions options_;
   Guide guide_;
   RunEnd begin_ = RunEnd::of_path, end_ = RunEnd::of_path;
   std::vector<double> knots_;        // of the run; the first counts six times
   std::vector<AxisVector> control_;  // settled ones
   std::vector<double> tightened_;    // by span between two knots
-  std::size_t done_ = 0;             // knot up to which pieces have left
+  std::size_t done_ = 0;             // knot up to which the curve is settled
+  std::size_t emitted_ = 0;          // knot up to which pieces have left
+  bool ends_ = false;                // what leaves now ends the curve
   bool begun_ = false;               // the first knots and control points have been dropped
   std::optional<TubeWindow> last_;   // the last solution,
   std::size_t last_first_ = 0, last_end_ = 0;  // and its first and last knot
   AxisVector point_ = AxisVector::Zero();      // where the last piece ended
   Mark last_mark_;                             // of the block that has begun last
   std::optional<double> gave_up_;
-  double fineness_ = 1;  // of spans
+  double furthest_ = 0;       // mm: what is settled and has not left, from the lines
+  double laid_fineness_ = 1;  // of the spans laid last
+  double fineness_ = 1;       // of spans
   RebuildCounts counts_;
 };
 

@@ -13,18 +13,34 @@ ShapeLimits shape_limits(const Machine& machine) {
   const PlannerLimits limits = limits_of(machine);
   shape.acceleration = limits.acceleration;
   shape.jerk = limits.jerk;
-  double most = 0;
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-    shape.velocity[i] = axis.present ? axis.velocity : kUnlimited;
-    if (limits.jerk[i] < kUnlimited) most = std::max(most, limits.jerk[i]);
+    if (!axis.present) continue;
+    shape.velocity[i] = axis.velocity;
+    shape.least[i] = axis.min;
+    shape.most[i] = axis.max;
   }
-  for (int i = 0; i < kAxes; ++i)
-    if (!(shape.jerk[i] < kUnlimited)) shape.jerk[i] = most;
-  shape.feed = machine.limits.feed > 0 ? machine.limits.feed : kUnlimited;
+  if (machine.limits.feed > 0) shape.feed = machine.limits.feed;
   shape.period = limits.period;
   if (limits.chord_tolerance > 0) shape.chord_tolerance = limits.chord_tolerance;
   return shape;
+}
+
+bool are_alike(const ShapeLimits& limits, const AxisVector& shares) noexcept {
+  double least = kUnlimited, most = 0;
+  for (int i = 0; i < kAxes; ++i) {
+    if (shares[i] < tuning::rebuild::kAcross) continue;
+    least = std::min(least, limits.jerk[i]);
+    most = std::max(most, limits.jerk[i]);
+  }
+  return most < kUnlimited && most <= tuning::rebuild::kUnlikeAxes * least;
+}
+
+void cap_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept {
+  double least = kUnlimited;
+  for (int i = 0; i < kAxes; ++i)
+    if (shares[i] > 0) least = std::min(least, limits.jerk[i] / shares[i]);
+  limits.jerk = limits.jerk.cwiseMin(tuning::rebuild::kJerkRatio * least);
 }
 
 namespace {

@@ -10,15 +10,25 @@ namespace softcnc::ipo {
 
 /// The limits of the machine that bear on the shape of a curve.
 struct ShapeLimits {
-  AxisVector velocity;       // mm/s
-  AxisVector acceleration;   // mm/s^2
-  AxisVector jerk;           // mm/s^3, of axes without a limit: the largest of the others
-  double feed = kUnlimited;  // mm/s
-  double period = 0;         // s
+  AxisVector velocity = AxisVector::Constant(kUnlimited);  // mm/s
+  AxisVector acceleration;                                 // mm/s^2
+  AxisVector jerk;                                         // mm/s^3
+  AxisVector least = AxisVector::Constant(-kUnlimited);    // mm: of the travel
+  AxisVector most = AxisVector::Constant(kUnlimited);
+  double feed = kUnlimited;             // mm/s
+  double period = 0;                    // s
   double chord_tolerance = kUnlimited;  // mm
 };
 
 ShapeLimits shape_limits(const Machine& machine);
+
+/// Whether the jerk limits of the axes that move are much alike. `shares` are the largest
+/// components of directions.
+bool are_alike(const ShapeLimits& limits, const AxisVector& shares) noexcept;
+
+/// Lowers jerk limits far above that of the axis which needs most of its own: a curve that bends in
+/// the direction of a quick axis alone is slow for all.
+void cap_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept;
 
 /// A place of the curve: derivatives by its parameter, which is near its length.
 struct ShapePlace {

@@ -5,81 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/rebuild/ties.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// A place of the lines at which the curve is held to them.
-struct Tie {
-  double t;
-  std::size_t span;
-  std::size_t line;
-  bool vertex;
-  AxisVector point, tangent;
-  double tolerance;
-  double slip;    // mm along the lines
-  double weight;  // mm of the lines for which it stands
-};
-
-class WindowTies {
- public:
-  WindowTies(const TubeWindow& window, const Guide& guide) : window_(window), guide_(guide) {
-    const QuinticSpline& spline = window.spline;
-    const double t0 = spline.begin(window.first_span), t1 = spline.end(spline.spans() - 1);
-    for (std::size_t line = guide.line_at(t0); line + 1 < guide.vertices().size(); ++line) {
-      if (guide.vertices()[line].t >= t1) break;
-      add_line(line, t0, t1);
-    }
-    for (std::size_t i = 0; i < ties_.size(); ++i) {
-      const double before = i == 0 ? t0 : 0.5 * (ties_[i - 1].t + ties_[i].t);
-      const double after = i + 1 == ties_.size() ? t1 : 0.5 * (ties_[i].t + ties_[i + 1].t);
-      ties_[i].weight = after - before;
-    }
-  }
-
-  const std::vector<Tie>& ties() const noexcept { return ties_; }
-
- private:
-  void add_line(std::size_t line, double t0, double t1) {
-    const GuideVertex& v = guide_.vertices()[line];
-    const double end = guide_.end_of(line), length = end - v.t;
-    if (v.t > t0 && v.turn > 0) add(v.t, line, true);
-    const std::size_t span = window_.spline.span_at(std::clamp(v.t + 0.5 * length, t0, t1));
-    const double width = window_.spline.end(span) - window_.spline.begin(span);
-    if (length < tuning::rebuild::kFewTies * width) return;
-    const auto parts = std::min(1000.0, std::ceil(length / (tuning::rebuild::kTies * width)));
-    for (double i = 0.5; i < parts; ++i) {
-      const double t = v.t + i / parts * length;
-      if (t > t0 && t < t1) add(t, line, false);
-    }
-  }
-
-  void add(double t, std::size_t line, bool vertex) {
-    const auto& vertices = guide_.vertices();
-    const GuideVertex& v = vertices[line];
-    Tie tie{t,
-            window_.spline.span_at(t),
-            line,
-            vertex,
-            v.point + (t - v.t) * v.direction,
-            v.direction,
-            v.tolerance,
-            0,
-            0};
-    tie.slip = guide_.slip(line);
-    if (vertex) {
-      tie.tangent = (v.direction + vertices[line - 1].direction).normalized();
-      tie.tolerance = std::min(v.tolerance, vertices[line - 1].tolerance);
-      tie.slip = std::min(tie.slip, guide_.slip(line - 1));
-    }
-    ties_.push_back(tie);
-  }
-
-  const TubeWindow& window_;
-  const Guide& guide_;
-  std::vector<Tie> ties_;
-};
 
 /// Places of the cost: three of each span, by Gauss.
 struct CostPlace {
@@ -146,6 +76,9 @@ class WindowSolver {
   WindowSolver(TubeWindow& window, const Guide& guide, const ShapeLimits& limits,
                const std::vector<Tie>& ties, std::vector<int> axes)
       : window_(window), guide_(guide), limits_(limits), ties_(ties), axes_(std::move(axes)) {
+    AxisVector shares = AxisVector::Zero();
+    for (const Tie& tie : ties) shares = shares.cwiseMax(tie.tangent.cwiseAbs());
+    cap_jerk(limits_, shares);
     places_ = cost_places(window, shape_);
     for (ShapePlace& at : shape_) {
       const MoveAttributes& move = guide.vertices()[guide.line_at(at.t)].attributes;
@@ -226,9 +159,31 @@ class WindowSolver {
       bounds.high[k] = std::max(bounds.high[k], at + tuning::rebuild::kSlack * tie.tolerance);
     };
     const double tight = tie.tolerance * tuning::rebuild::kMargin * window_.tightened[tie.span];
-    for (const Vector& normal : normals(tangent)) bound(normal, tight);
+    for (const Vector& normal : normals(tangent)) {
+      bound(normal, tight);
+      keep_in_travel(bounds, tie);
+    }
     bound(tangent, tie.slip);
     program.add_bounds(bounds);
+  }
+
+  /// Narrows the last bound where the path is nearer to an end of travel than its tolerance.
+  void keep_in_travel(typename Program::Bounds& bounds, const Tie& tie) const {
+    const auto k = static_cast<std::size_t>(bounds.count - 1);
+    const Vector& normal = bounds.direction[k];
+    const double middle = normal.dot(reduced(tie.point));
+    const double margin = tuning::rebuild::kTravelMargin * tie.tolerance;
+    for (int i = 0; i < dimensions; ++i) {
+      const int axis = axes_[static_cast<std::size_t>(i)];
+      const double part = normal[i];
+      if (std::abs(part) < tuning::rebuild::kAcross) continue;
+      double low = (limits_.least[axis] - tie.point[axis] + margin) / part;
+      double high = (limits_.most[axis] - tie.point[axis] - margin) / part;
+      if (part < 0) std::swap(low, high);
+      const double least = bounds.low[k], most = bounds.high[k];
+      bounds.low[k] = std::min(std::max(least, middle + low), most - margin);
+      bounds.high[k] = std::max(std::min(most, middle + high), bounds.low[k] + margin);
+    }
   }
 
   /// Directions across the path: one in a plane, three in space.
@@ -267,7 +222,7 @@ class WindowSolver {
 
   TubeWindow& window_;
   const Guide& guide_;
-  const ShapeLimits& limits_;
+  ShapeLimits limits_;
   const std::vector<Tie>& ties_;
   std::vector<int> axes_;
   std::vector<ShapePlace> shape_;
@@ -277,10 +232,10 @@ class WindowSolver {
 }  // namespace
 
 bool solve(TubeWindow& window, const Guide& guide, const ShapeLimits& limits) {
-  const WindowTies ties(window, guide);
-  auto axes = moving_axes(window, ties.ties());
-  if (axes.size() == 2) return WindowSolver<2>(window, guide, limits, ties.ties(), axes).solve();
-  return WindowSolver<3>(window, guide, limits, ties.ties(), axes).solve();
+  const std::vector<Tie> ties = ties_of(window, guide);
+  auto axes = moving_axes(window, ties);
+  if (axes.size() == 2) return WindowSolver<2>(window, guide, limits, ties, axes).solve();
+  return WindowSolver<3>(window, guide, limits, ties, axes).solve();
 }
 
 }  // namespace softcnc::ipo

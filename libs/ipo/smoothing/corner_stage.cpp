@@ -31,6 +31,10 @@ PathEnd end_of(const Move& move) {
   return {at(move.path, s, Side::before).dq, s, corner_tolerance(attributes_of(move), 0)};
 }
 
+bool has_tangent_jump(const PathEnd& before, const PathEnd& after) {
+  return (after.direction - before.direction).norm() > tuning::corners::kRests;
+}
+
 Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
 
 /// Returns the inner positions where the tangent of a path jumps.
@@ -45,12 +49,13 @@ std::vector<double> inner_corners(const Path& path) {
 
 }  // namespace
 
-CornerStage::CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial)
+CornerStage::CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial,
+                         const RebuildOptions& options)
     : machine_(machine),
       choice_(machine, std::move(trial)),
       has_jerk_limit_(limits_jerk(machine)),
       rebuilds_(has_jerk_limit_ && machine.control.rebuild == Rebuild::on),
-      lines_(machine, out_, choice_, rebuilds_) {}
+      lines_(machine, out_, choice_, rebuilds_, options) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
   if (!chord_.empty() || !lines_.empty() || held_ || arc_ || !out_.empty()) return false;
@@ -68,21 +73,25 @@ void CornerStage::push(Block&& block) {
     out_.push_back({std::move(block), {}, 0});
     return;
   }
-  const bool goes_on = joined && is_part_of_curve(end_, beginning_of(*move));
+  const PathEnd before = end_;
+  const bool goes_on = joined && is_part_of_curve(before, beginning_of(*move));
   last_ = attributes_of(*move);
   end_ = end_of(*move);
   if (std::holds_alternative<Line>(move->path)) return push_line(block);
   const bool is_short_arc = rebuilds_ && std::holds_alternative<Arc>(move->path) &&
                             length(move->path) <= tuning::rebuild::kLongestArc;
   if (!is_short_arc || !goes_on) return push_curve(std::move(block));
+  jumps_ = has_tangent_jump(before, beginning_of(*move));
   arc_ = std::move(block);
 }
 
-/// A short arc between others that it meets smoothly is a part of a curve, as short lines are.
+/// A short arc between others is a part of a curve, as short lines are, where it meets one of them
+/// in a corner that a curve can smooth. Tangent ones stay what they are.
 void CornerStage::settle_arc(const Move* next) {
   Block arc = *std::exchange(arc_, std::nullopt);
-  const bool goes_on =
-      next && is_part_of_curve(end_of(std::get<Move>(arc.what)), beginning_of(*next));
+  const PathEnd end = end_of(std::get<Move>(arc.what));
+  const bool goes_on = next && is_part_of_curve(end, beginning_of(*next)) &&
+                       (jumps_ || has_tangent_jump(end, beginning_of(*next)));
   goes_on ? push_arc(arc) : push_curve(std::move(arc));
 }
 

@@ -19,7 +19,8 @@ namespace softcnc::ipo {
 class CornerStage {
  public:
   /// `machine` must outlive the stage.
-  CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial);
+  CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial,
+              const RebuildOptions& options = {});
   CornerStage(const CornerStage&) = delete;
   CornerStage& operator=(const CornerStage&) = delete;
 
@@ -78,6 +79,7 @@ class CornerStage {
   ChordMerge chord_;
   std::optional<Held> held_;            // before the chord, if there is one
   std::optional<Block> arc_;            // after them, if what follows decides about it
+  bool jumps_ = false;                  // where that arc begins
   PathEnd end_;                         // of the move before
   std::optional<MoveAttributes> last_;  // of the move before, if it may be joined
 };

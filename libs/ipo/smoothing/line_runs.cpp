@@ -25,10 +25,6 @@ Chord take_front(Chord& chord, double length) {
   return front;
 }
 
-bool same_tolerances(const MoveAttributes& a, const MoveAttributes& b) {
-  return a.corner_tolerance == b.corner_tolerance && a.chord_tolerance == b.chord_tolerance;
-}
-
 }  // namespace
 
 void LineRuns::add(Chord chord, bool stays_straight) {
@@ -62,8 +58,7 @@ bool is_part_of_curve(const PathEnd& before, const PathEnd& after) noexcept {
 
 LineRuns::Meeting LineRuns::meeting(const Held& before, const Held& after) {
   const PathEnd a = path_end(before.chord), b = path_end(after.chord);
-  const bool is_apart = before.stays_straight || after.stays_straight ||
-                        !same_tolerances(before.chord.attributes, after.chord.attributes);
+  const bool is_apart = before.stays_straight || after.stays_straight;
   return {is_apart || !is_part_of_curve(a, b) ? Joint::corner : Joint::smooth,
           std::min(rounding_width(a, b), 0.5 * std::min(a.length, b.length))};
 }
@@ -82,7 +77,11 @@ void LineRuns::settle(Held line, const Meeting& after) {
   if (line.before.joint != Joint::smooth) give_to_polyline();
   held_.push_back(std::move(line));
   if (after.joint != Joint::smooth) return give_to_polyline();
-  if (held_.size() >= tuning::rebuild::kFewestLines) begin_run();
+  if (held_.size() < tuning::rebuild::kFewestLines) return;
+  AxisVector shares = AxisVector::Zero();
+  for (const Held& held : held_)
+    shares = shares.cwiseMax(path_end(held.chord).direction.cwiseAbs());
+  run_.suits(shares) ? begin_run() : give_to_polyline();
 }
 
 void LineRuns::give_to_polyline() {

@@ -35,8 +35,8 @@ class LineRuns {
   /// Pieces are appended to `out`; all must outlive this object. Without `rebuilds` all lines are
   /// one polyline.
   LineRuns(const Machine& machine, std::deque<Piece>& out, const CornerChoice& choice,
-           bool rebuilds)
-      : rebuilds_(rebuilds), polyline_(out, choice), run_(machine, out) {}
+           bool rebuilds, const RebuildOptions& options)
+      : rebuilds_(rebuilds), polyline_(out, choice), run_(machine, out, options) {}
 
   bool empty() const noexcept { return !next_ && polyline_.empty(); }
   const RebuildCounts& counts() const noexcept { return run_.counts(); }

@@ -126,7 +126,8 @@ constexpr GCode kCodeTable[] = {
      "Cubic curve; its control points by I J (K) from the start and P Q from the end. fanuc: no "
      "effect."},
     {'G', 51, Group::motion, order::motion, "XYZIJKQR", quadratic,
-     "Quadratic curve; its control point by I J (K) from the start. fanuc: no effect."},
+     "Quadratic curve; its control point by I J (K) from the start. fanuc: smoothing on (Q1) or "
+     "off."},
     {'G', 52, Group::motion, order::motion, "XYZPL", control_points,
      "NURBS of order L (3): one block per control point with weight P, then G05.3."},
     {'G', 53, Group::motion, order::motion, "", end_control_points, "Ends the curve of G05.2."},

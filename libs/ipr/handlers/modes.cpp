@@ -99,6 +99,8 @@ void switch_smoothing(Task& task, bool on) {
 void smooth_path(Task& task) {
   const Control& control = task.machine.control;
   const Values& values = task.values;
+  if (const double level = values.value_or('P', 1); level != 1 && level != 2 && level != 3)
+    return task.out.report(Code::SC2007, values.word('P').pos, "G187 takes P1, P2 or P3");
   if (values.has('P') && !values.has('E') && control.smoothing_tolerance == 0)
     return pass_over(task);
   if (!values.has('E')) return switch_smoothing(task, values.has('P'));
