@@ -139,7 +139,7 @@ TEST_CASE("curves from lines of all kinds stay within P of them, and the lines o
         }
         ++curves;
       },
-      test::programs_asked(60));
+      test::programs_asked(120));
   CHECK(pieces_of_degree_5 > curves);
 }
 

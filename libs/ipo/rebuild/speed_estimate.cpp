@@ -36,7 +36,7 @@ bool are_alike(const ShapeLimits& limits, const AxisVector& shares) noexcept {
   return most < kUnlimited && most <= tuning::rebuild::kUnlikeAxes * least;
 }
 
-void cap_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept {
+void even_out_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept {
   double least = kUnlimited;
   for (int i = 0; i < kAxes; ++i)
     if (shares[i] > 0) least = std::min(least, limits.jerk[i] / shares[i]);

@@ -28,7 +28,7 @@ bool are_alike(const ShapeLimits& limits, const AxisVector& shares) noexcept;
 
 /// Lowers jerk limits far above that of the axis which needs most of its own: a curve that bends in
 /// the direction of a quick axis alone is slow for all.
-void cap_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept;
+void even_out_jerk(ShapeLimits& limits, const AxisVector& shares) noexcept;
 
 /// A place of the curve: derivatives by its parameter, which is near its length.
 struct ShapePlace {

@@ -78,7 +78,7 @@ class WindowSolver {
       : window_(window), guide_(guide), limits_(limits), ties_(ties), axes_(std::move(axes)) {
     AxisVector shares = AxisVector::Zero();
     for (const Tie& tie : ties) shares = shares.cwiseMax(tie.tangent.cwiseAbs());
-    cap_jerk(limits_, shares);
+    even_out_jerk(limits_, shares);
     places_ = cost_places(window, shape_);
     for (ShapePlace& at : shape_) {
       const MoveAttributes& move = guide.vertices()[guide.line_at(at.t)].attributes;

@@ -34,7 +34,10 @@ class SmoothedSegments {
   void begin(const AxisVector& point);
   /// Begins the next programmed line here, `deviation` mm from what it stands for.
   void add_programmed(double t, const AxisVector& point, double deviation);
-  void add_mark(double t, const Mark& mark) { marks_.push_back({t, mark}); }
+  /// Where a line was cut in two, both parts have its mark.
+  void add_mark(double t, const Mark& mark) {
+    if (marks_.empty() || marks_.back().mark.number != mark.number) marks_.push_back({t, mark});
+  }
   /// Adds a vertex, in the order of their positions; the first and the last one are the ends of the
   /// path.
   void add(const SmoothedVertex& vertex);
