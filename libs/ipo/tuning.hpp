@@ -732,8 +732,6 @@ inline constexpr double kMargins = kEndMargin + 4.4;
 inline constexpr std::size_t kSpansBefore = 6;
 // Choice: solutions for a window, each with the speeds that the last one permits.
 inline constexpr int kRounds = 2;
-// Choice: solutions up to this one are not measured: the next one differs.
-inline constexpr int kUnmeasured = 1;
 // Choice: solutions at most, with tighter bounds where the curve is too far from the lines.
 inline constexpr int kMostRounds = 8;
 // Of the tolerance. Choice: for which bounds are tightened.

@@ -9,7 +9,6 @@
 #include "motion/core/units.hpp"
 #include "runtime/conversion/conversion.hpp"
 #include "runtime/run/repeated_errors.hpp"
-#include "settings/file_clash.hpp"
 #include "settings/machine_choice.hpp"
 #include "settings/machine_memory.hpp"
 

@@ -170,7 +170,7 @@ std::string report_json(Job& job, const JobResult& result) {
     if (rebuild.curves > 0) {
       report["rebuilt_lines"] = rebuild.lines;
       report["rebuilt_curves"] = rebuild.curves;
-      report["rebuild_deviation_um_max"] = 1e3 * rebuild.deviation;
+      report["rebuild_deviation_um_max"] = um_from_mm(rebuild.deviation);
       report["rebuild_fallbacks"] = rebuild.fallbacks;
     }
     if (result.tally) {

@@ -28,13 +28,13 @@ void CurveRun::begin(const AxisVector& point, RunEnd kind) {
 
 void CurveRun::add(const Chord& chord) {
   guide_.add(chord);
-  if (!gave_up_) settle();
+  settle();
 }
 
 void CurveRun::end(RunEnd kind) {
   guide_.end();
   end_ = kind;
-  if (!gave_up_) settle();
+  settle();
 }
 
 /// How far the machine travels while it brakes from the feed.
@@ -156,8 +156,7 @@ TubeWindow CurveRun::window_to(std::size_t last) {
   const bool whole = guide_.ended() && knots_[last] >= guide_.length();
   window.fixed_last = whole && end_ == RunEnd::of_path ? 1 : 3;
   const auto on_line = [&](double t, double at) {
-    const GuideVertex& v = guide_.vertices()[guide_.line_at(t)];
-    return AxisVector(v.point + (at - v.t) * v.direction);
+    return guide_.vertices()[guide_.line_at(t)].at(at);
   };
   for (std::size_t i = 0; i < count; ++i) {
     const double t = greville(spline.knots, i);

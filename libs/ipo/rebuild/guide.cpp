@@ -42,10 +42,7 @@ std::size_t Guide::line_at(double t) const noexcept {
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(index, 0, std::ssize(vertices_) - 2));
 }
 
-AxisVector Guide::at(double t) const noexcept {
-  const GuideVertex& v = vertices_[line_at(t)];
-  return v.point + (t - v.t) * v.direction;
-}
+AxisVector Guide::at(double t) const noexcept { return vertices_[line_at(t)].at(t); }
 
 /// Of turns in opposite directions only the difference counts, so that what the last decimal of the
 /// program rounds does not.

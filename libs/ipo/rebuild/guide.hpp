@@ -19,6 +19,9 @@ struct GuideVertex {
   double span = 0;                            // mm: what its turn allows, once that is known
   double deviation = 0;                       // mm: of that line from the programmed ones
   MoveAttributes attributes;                  // of that line
+
+  /// Returns the point of that line at `place`, also beyond its ends.
+  AxisVector at(double place) const { return point + (place - t) * direction; }
 };
 
 struct GuideMark {

@@ -45,15 +45,7 @@ class WindowTies {
   void add(double t, std::size_t line, bool vertex) {
     const auto& vertices = guide_.vertices();
     const GuideVertex& v = vertices[line];
-    Tie tie{t,
-            window_.spline.span_at(t),
-            line,
-            vertex,
-            v.point + (t - v.t) * v.direction,
-            v.direction,
-            v.tolerance,
-            0,
-            0};
+    Tie tie{t, window_.spline.span_at(t), line, vertex, v.at(t), v.direction, v.tolerance, 0, 0};
     tie.slip = guide_.slip(line);
     if (vertex) {
       tie.tangent = (v.direction + vertices[line - 1].direction).normalized();

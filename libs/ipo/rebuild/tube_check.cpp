@@ -66,8 +66,7 @@ double TubeCheck::count(double distance, std::size_t line) {
 }
 
 AxisVector TubeCheck::on_line(std::size_t line, double t) const {
-  const GuideVertex& v = guide_.vertices()[line];
-  return v.point + (t - v.t) * v.direction;
+  return guide_.vertices()[line].at(t);
 }
 
 double TubeCheck::along_line(std::size_t line, const AxisVector& point) const {

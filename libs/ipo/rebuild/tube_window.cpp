@@ -89,9 +89,8 @@ class WindowSolver {
   bool solve() {
     bool inside = false;
     for (int round = 0; round < tuning::rebuild::kMostRounds; ++round) {
-      const auto solved = solve_once(round == 0 ? tuning::rebuild::kSmoothed : 1);
-      if (!solved) return false;
-      inside = round + 1 >= tuning::rebuild::kUnmeasured && measure();
+      if (!solve_once(round == 0 ? tuning::rebuild::kSmoothed : 1)) return false;
+      inside = measure();
       if (inside && round + 1 >= tuning::rebuild::kRounds) return true;
     }
     return inside;

@@ -73,15 +73,16 @@ void CornerStage::push(Block&& block) {
     out_.push_back({std::move(block), {}, 0});
     return;
   }
-  const PathEnd before = end_;
-  const bool goes_on = joined && is_part_of_curve(before, beginning_of(*move));
   last_ = attributes_of(*move);
-  end_ = end_of(*move);
+  const PathEnd before = end_;
+  if (rebuilds_) end_ = end_of(*move);
   if (std::holds_alternative<Line>(move->path)) return push_line(block);
   const bool is_short_arc = rebuilds_ && std::holds_alternative<Arc>(move->path) &&
                             length(move->path) <= tuning::rebuild::kLongestArc;
-  if (!is_short_arc || !goes_on) return push_curve(std::move(block));
-  jumps_ = has_tangent_jump(before, beginning_of(*move));
+  if (!is_short_arc || !joined) return push_curve(std::move(block));
+  const PathEnd beginning = beginning_of(*move);
+  if (!is_part_of_curve(before, beginning)) return push_curve(std::move(block));
+  jumps_ = has_tangent_jump(before, beginning);
   arc_ = std::move(block);
 }
 

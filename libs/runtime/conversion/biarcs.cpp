@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "motion/geometry/deviation.hpp"
+
 namespace softcnc::runtime {
 namespace {
 
@@ -46,9 +48,7 @@ std::optional<AxisVector> middle_of(const AxisVector& a, const AxisVector& from,
 double distance_to(const Path& path, const AxisVector& point) {
   if (const auto* arc = std::get_if<Arc>(&path))
     return std::abs((point - arc->center()).norm() - arc->radius());
-  const AxisVector a = start(path), way = end(path) - a;
-  const double part = std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  return (point - a - part * way).norm();
+  return distance_to_segment(point, start(path), end(path));
 }
 
 using Biarc = std::array<Path, 2>;

@@ -21,10 +21,10 @@ struct ConversionCounts {
 
 /// Writes every block of a program through `write`, in mm and in the coordinates of the machine.
 /// Curves are exact (G61), since the tolerance of the program is used up; lines and arcs that stand
-/// for them have G64 with twice `tolerance`. Chords become curves by the limits
-/// of the machine, of any jerk where it has no limit of that; `tolerance`, mm, is that of lines and
-/// arcs which stand for a curve. Errors of the program are reported where its interpreter reports
-/// them. The roughness that a program asks for is not written.
+/// for them have G64 with twice `tolerance`, mm, which is how near they are. Chords become curves
+/// by the limits of the machine, with jerk limits of its own where it has none. Errors of the
+/// program are reported where its interpreter reports them. The roughness that a program asks for
+/// is not written.
 ConversionCounts convert(ipr::Interpreter& interpreter, const Machine& machine, CurveForm form,
                          double tolerance, const std::function<void(std::string_view)>& write);
 

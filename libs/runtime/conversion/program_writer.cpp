@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "motion/core/units.hpp"
+#include "motion/geometry/deviation.hpp"
 #include "motion/geometry/section.hpp"
 #include "runtime/conversion/biarcs.hpp"
 
@@ -159,12 +160,10 @@ void ProgramWriter::write_chords(const Path& path) {
   constexpr double kShortest = 1e-5;  // mm
   const double end = length(path);
   const auto fits = [&](double s, double t) {
-    const AxisVector from = position(path, s), chord = position(path, t) - from;
-    for (int i = 1; i < kPlaces; ++i) {
-      const AxisVector off = position(path, s + (t - s) * i / kPlaces) - from;
-      const double part = std::clamp(off.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-      if ((off - part * chord).norm() > tolerance_) return false;
-    }
+    const AxisVector from = position(path, s), to = position(path, t);
+    for (int i = 1; i < kPlaces; ++i)
+      if (distance_to_segment(position(path, s + (t - s) * i / kPlaces), from, to) > tolerance_)
+        return false;
     return true;
   };
   double step = end;
