@@ -139,7 +139,7 @@ TEST_CASE("curves from lines of all kinds stay within P of them, and the lines o
         }
         ++curves;
       },
-      test::programs_asked(120));
+      test::programs_asked(500));
   CHECK(pieces_of_degree_5 > curves);
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("what is measured of a tube is no less than it is, and hardly more",
                                   noise * random_direction(false));
     spline.control.front() = points.front();
     spline.control.back() = points.back();
-    TubeCheck check(guide, spline, 0, guide.length());
+    TubeCheck check(guide, spline, 0);
     const std::vector<double> shares = check.shares();
     const double bound = p * *std::max_element(shares.begin(), shares.end());
     const auto curve = Nurbs::make(

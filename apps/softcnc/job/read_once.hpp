@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "ipr/interpreter/interpreter.hpp"
 #include "messages/messages.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/run/repeated_errors.hpp"

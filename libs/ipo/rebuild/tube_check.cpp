@@ -9,13 +9,14 @@
 
 namespace softcnc::ipo {
 
-TubeCheck::TubeCheck(const Guide& guide, const QuinticSpline& spline, double t0, double t1)
+TubeCheck::TubeCheck(const Guide& guide, const QuinticSpline& spline, double t0)
     : guide_(guide), spline_(spline) {
   for (std::size_t span = 0; span < spline.spans(); ++span)
     curves_.push_back(bezier_of(spline, span));
-  find_feet(t0, t1);
+  find_feet(t0, spline.end(spline.spans() - 1));
 }
 
+/// The ends of the curve belong to those of the lines, even where it passes them before.
 void TubeCheck::find_feet(double t0, double t1) {
   const auto& vertices = guide_.vertices();
   first_line_ = guide_.line_at(t0);
@@ -24,10 +25,13 @@ void TubeCheck::find_feet(double t0, double t1) {
     const double u = foot(t, t + ahead);
     feet_.push_back({t, feet_.empty() ? u : std::max(u, feet_.back().u)});
   };
-  add(t0);
-  for (std::size_t i = first_line_ + 1; i < vertices.size() && vertices[i].t < t1; ++i)
+  if (t0 > spline_.begin(0))
+    add(t0);
+  else
+    feet_.push_back({t0, t0});
+  for (std::size_t i = first_line_ + 1; i + 1 < vertices.size() && vertices[i].t < t1; ++i)
     add(vertices[i].t);
-  add(t1);
+  feet_.push_back({t1, t1});
 }
 
 std::vector<double> TubeCheck::shares() {
@@ -130,7 +134,8 @@ double TubeCheck::curve_share(const QuinticBezier& curve, double t0, double t1, 
 
 /// Of a part of a line from the curve.
 double TubeCheck::line_share(const Part& part, int halvings) {
-  const auto& [line, span, begin, end] = part;
+  const auto& [line_of_part, span, begin, end] = part;
+  const std::size_t line = line_of_part;  // C++20 of clang 14 captures no structured binding
   const double tolerance = guide_.vertices()[line].tolerance;
   const double ends = std::max((on_line(line, begin.t) - on_curve(begin.u)).norm(),
                                (on_line(line, end.t) - on_curve(end.u)).norm());

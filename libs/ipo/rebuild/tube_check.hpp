@@ -24,9 +24,10 @@ struct Foot {
 
 class TubeCheck {
  public:
-  /// Of what lies between t0 and t1 of the guide. The spline begins before that, and its parameter
-  /// is that of the lines within Guide::slip(). Both must outlive the check.
-  TubeCheck(const Guide& guide, const QuinticSpline& spline, double t0, double t1);
+  /// Of what lies between t0 of the guide and the end of the spline. The spline begins at t0 or
+  /// before it, and its parameter is that of the lines within Guide::slip(). Both must outlive the
+  /// check.
+  TubeCheck(const Guide& guide, const QuinticSpline& spline, double t0);
 
   /// Returns for every span of the spline how far the curve and the lines are apart there, by their
   /// tolerance; 0 for spans before t0.

@@ -203,7 +203,7 @@ class WindowSolver {
   bool measure() {
     const QuinticSpline& spline = window_.spline;
     const double t0 = spline.begin(window_.first_span - std::min(window_.first_span, kBefore));
-    TubeCheck check(guide_, spline, t0, spline.end(spline.spans() - 1));
+    TubeCheck check(guide_, spline, t0);
     const std::vector<double> shares = check.shares();
     window_.furthest = check.furthest();
     window_.feet = check.feet();
