@@ -32,8 +32,9 @@ void insert(QuinticSpline& spline, double t) {
   const auto& u = spline.knots;
   const auto after = static_cast<std::size_t>(std::upper_bound(u.begin(), u.end(), t) - u.begin());
   const std::size_t k = after - 1;  // u[k] <= t < u[k + 1]
+  const auto there = static_cast<std::size_t>(std::count(u.begin(), u.end(), t));
   std::vector<AxisVector> fresh;
-  for (std::size_t i = k - kQuinticDegree + 1; i <= k; ++i) {
+  for (std::size_t i = k - kQuinticDegree + 1; i <= k - there; ++i) {
     const double x = (t - u[i]) / (u[i + kQuinticDegree] - u[i]);
     fresh.push_back(mix(spline.control[i - 1], spline.control[i], std::clamp(x, 0.0, 1.0)));
   }
