@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include <softcnc/machine.hpp>
@@ -13,6 +15,7 @@
 #include "motion/model/machine_state.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/session/channel_options.hpp"
+#include "runtime/session/watcher.hpp"
 
 namespace softcnc::api {
 
@@ -39,5 +42,23 @@ class RunSetup {
   std::vector<std::unique_ptr<ipo::Constraint>> constraints_;
   runtime::ChannelOptions channel_;
 };
+
+/// Passes requests to stop on to a run, which otherwise nobody observes.
+class StopRequests final : public runtime::Watcher {
+ public:
+  explicit StopRequests(std::stop_token stop) : stop_(std::move(stop)) {}
+  bool wants_stop() override { return stop_.stop_requested(); }
+  void sees(const softcnc::Setpoint&) override {}
+  void pause(const runtime::Pause&) override {}
+  void wait_for_input(int) override {}
+
+ private:
+  std::stop_token stop_;
+};
+
+/// Does what the public check() does until a stop is requested, and returns what it has found so
+/// far.
+std::vector<Diagnostic> check(const Program& program, const Machine& machine,
+                              const RunOptions& options, std::stop_token stop);
 
 }  // namespace softcnc::api

@@ -39,11 +39,18 @@ const std::string& Program::name() const noexcept { return data_->program.name()
 
 std::vector<Diagnostic> check(const Program& program, const Machine& machine,
                               const RunOptions& options) {
+  return check(program, machine, options, {});
+}
+
+std::vector<Diagnostic> check(const Program& program, const Machine& machine,
+                              const RunOptions& options, std::stop_token stop) {
   runtime::Program& text = program.data().program;
   const RunSetup setup(options, &text);
   runtime::ChannelOptions channel = setup.channel();
   channel.interpreter.compare_dialects = true;
   channel.interpreter.unreachable_too = true;
+  channel.interpreter.stop = stop;
+  StopRequests watcher(std::move(stop));
   std::vector<Diagnostic> all;
   runtime::ShownOnce shown(text, channel.interpreter, [&](softcnc::Diagnostic diagnostic) {
     diagnostic.source_line = runtime::source_line(diagnostic, text);
@@ -51,7 +58,7 @@ std::vector<Diagnostic> check(const Program& program, const Machine& machine,
   });
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(text.name());
-  runtime::check(text, machine.data().machine, channel, diagnostics, nullptr,
+  runtime::check(text, machine.data().machine, channel, diagnostics, &watcher,
                  runtime::CheckNotes::surface_too);
   shown.finish();
   return all;

@@ -128,7 +128,8 @@ Expected<Trajectory> plan(const Program& program, const Machine& machine,
   Diagnostics silent([](const softcnc::Diagnostic&) {});
   ipr::Reader reader = data->program->reader();
   ipr::Parser parser(reader, silent);
-  ipr::Interpreter interpreter(parser, data->machine, silent, setup.channel().interpreter);
+  ipr::Interpreter interpreter(parser, data->machine, silent, setup.channel().interpreter,
+                               setup.channel().state);
   ipo::Planner planner(data->machine, setup.channel().feed_override, silent, {},
                        setup.channel().constraints);
   const auto take = [&](const Block& block) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <pybind11/eigen.h>
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace softcnc::python {
+namespace {
+
+/// A function of Python as a limit of the speed.
+class PythonLimit final : public api::Constraint {
+ public:
+  PythonLimit(py::function function, Interruption& interruption)
+      : function_(std::move(function)), interruption_(interruption) {}
+  ~PythonLimit() override {
+    const py::gil_scoped_acquire held;
+    function_.release().dec_ref();
+  }
+
+  double largest_speed(const api::PathPoint& point) const noexcept override {
+    const py::gil_scoped_acquire held;
+    try {
+      return function_(point.position, point.tangent, point.curvature, point.feed, point.rapid)
+          .cast<double>();
+    } catch (const py::cast_error&) {
+      interruption_.end_with(
+          std::make_exception_ptr(py::type_error("a limit must return a speed in mm/s")));
+    } catch (...) {
+      interruption_.end_with(std::current_exception());
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  py::function function_;
+  Interruption& interruption_;
+};
+
+api::Dialect dialect_of(const std::string& name) {
+  constexpr std::array<std::string_view, 5> kNames{"linuxcnc", "fanuc", "haas", "grbl", "auto"};
+  for (std::size_t i = 0; i < kNames.size(); ++i)
+    if (kNames[i] == name) return static_cast<api::Dialect>(i);
+  throw py::value_error("no dialect '" + name +
+                        "'; there are linuxcnc, fanuc, haas, grbl and auto");
+}
+
+}  // namespace
+
+api::RunOptions run_options(const Options& options, Interruption& interruption) {
+  const py::gil_scoped_acquire held;
+  api::RunOptions run;
+  run.dialect = dialect_of(options.dialect);
+  run.feed_override = options.feed_override;
+  run.block_skip = options.block_skip;
+  run.optional_stop = options.optional_stop;
+  run.subprogram_folders = options.subprograms;
+  run.definitions = options.define;
+  run.state = options.state;
+  if (!options.limit.is_none())
+    run.constraints.push_back(
+        std::make_shared<PythonLimit>(options.limit.cast<py::function>(), interruption));
+  return run;
+}
+
+void add_options(py::module_& module) {
+  py::class_<Options>(module, "Options")
+      .def(py::init<>())
+      .def_readwrite("dialect", &Options::dialect)
+      .def_readwrite("feed_override", &Options::feed_override)
+      .def_readwrite("block_skip", &Options::block_skip)
+      .def_readwrite("optional_stop", &Options::optional_stop)
+      .def_readwrite("subprograms", &Options::subprograms)
+      .def_readwrite("define", &Options::define)
+      .def_readwrite("state", &Options::state)
+      .def_readwrite("limit", &Options::limit);
+}
+
+}  // namespace softcnc::python
