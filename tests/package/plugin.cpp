@@ -46,6 +46,26 @@ bool stays_empty(Session& moved) {
          moved.diagnostics().empty() && moved.columns().empty();
 }
 
+/// Whether a plan and its setpoints begin with the offset that a session has left.
+bool plans_with_state() {
+  Session before = std::move(*Session::open(Machine()));
+  before.feed("G10 L2 P1 X10\n");
+  before.end();
+  while (before.step()) {
+  }
+  const auto program = softcnc::api::Program::from_text("G0 X1\nM2\n");
+  softcnc::api::RunOptions options;
+  options.state = before.state();
+  const auto trajectory = softcnc::api::plan(*program, Machine(), options);
+  if (!trajectory || trajectory->at(trajectory->duration()).position[0] != 11) return false;
+  double last = 0;
+  trajectory->for_each_setpoint([&](const softcnc::api::Setpoint& setpoint) {
+    last = setpoint.position[0];
+    return true;
+  });
+  return last == 11;
+}
+
 }  // namespace
 
 /// The number of the first mistake in the use of the library that it does not stand; 0: none.
@@ -60,5 +80,6 @@ extern "C" int mistakes() {
   if (!stays_empty(session)) return 4;  // NOLINT
   if (!other.feed("G0 X1\n")) return 5;
   other.abort();
-  return other.feed("G0 X2\n") ? 6 : 0;
+  if (other.feed("G0 X2\n")) return 6;
+  return plans_with_state() ? 0 : 7;
 }
