@@ -53,15 +53,19 @@ def of(commands, every):
     return "all except " + " and ".join(missing) if len(missing) <= 2 else ", ".join(commands)
 
 
-def table(softcnc):
-    every = commands_of(softcnc)
+def rows_of(softcnc):
+    """(name with value, meaning) of each option in the order of the names, and the commands that take it."""
     rows = {}
-    for command in every:
+    for command in commands_of(softcnc):
         for option in options_of(softcnc, command):
             rows.setdefault(option, []).append(command)
-    order = sorted(rows, key=lambda row: re.sub(r"^-\w,", "", row[0]))
-    meaning = {row: row[1].replace("|", r"\|").replace("<", r"\<") for row in order}
-    return HEAD + "".join(f"| {shown(row[0])} | {of(rows[row], every)} | {meaning[row]} |\n" for row in order)
+    return {row: rows[row] for row in sorted(rows, key=lambda row: re.sub(r"^-\w,", "", row[0]))}
+
+
+def table(softcnc):
+    every, rows = commands_of(softcnc), rows_of(softcnc)
+    meaning = {row: row[1].replace("|", r"\|").replace("<", r"\<") for row in rows}
+    return HEAD + "".join(f"| {shown(row[0])} | {of(rows[row], every)} | {meaning[row]} |\n" for row in rows)
 
 
 def main(arguments):
