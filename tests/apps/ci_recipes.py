@@ -7,8 +7,10 @@
 The commands of github.yml and gitlab.yml are taken out of these files as their services take them,
 and run in the shells of the services with the variables that those set; parallel.sh and slurm.sh are
 run as they are. Neither GitHub nor GitLab nor Slurm is there: of Slurm, the script runs once for each
-task of its array, with the variables that sbatch sets. Each recipe must replay every recording exactly
-once and pass; and fail, with a failure in its JUnit XML, when one of the recordings has been changed.
+task of its array, with the variables that sbatch sets. Nothing is installed: in the jobs of GitHub and
+GitLab an apt-get of this test puts softcnc on the PATH if the package that it is given exists. Each recipe
+must replay every recording exactly once and pass; and fail, with a failure in its JUnit XML, when one of
+the recordings has been changed.
 """
 import os
 import pathlib
@@ -26,6 +28,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RECIPES = ROOT / "docs/ci"
 SQUARE = ROOT / "tests/apps/data/square.nc"
 RECORDINGS = 7
+APT_GET = """#!/bin/bash
+[[ $1 == update ]] || { [[ $1 == install && -f ${*: -1} ]] && ln -s "$SOFTCNC" "${0%/*}/softcnc"; }
+"""
 
 
 def run(command, folder, **variables):
@@ -39,8 +44,9 @@ def run(command, folder, **variables):
 
 def make_folder(folder):
     """A project as the recipes expect it: recordings, a part, and the trace that is kept of it."""
-    for name in ("recordings/below", "parts", "traces"):
+    for name in ("recordings/below", "parts", "traces", "packages"):
         (folder / name).mkdir(parents=True)
+    (folder / "packages/softcnc_0.1.0-1_amd64.deb").touch()
     for i in range(RECORDINGS):
         part = folder / f"{i}.nc"
         part.write_text(f"G01 X{i + 1} F{600 + 100 * i}\nM30\n")
@@ -71,6 +77,16 @@ def change(folder):
     part.write_text(re.sub(r"F\d+", "F300", part.read_text()))
 
 
+def bare(folder):
+    """The variables of a job that begins without softcnc."""
+    tools = folder / "tools"
+    shutil.rmtree(tools, ignore_errors=True)
+    tools.mkdir()
+    (tools / "apt-get").write_text(APT_GET)
+    (tools / "apt-get").chmod(0o755)
+    return {"PATH": f"{tools}{os.pathsep}{os.environ['PATH']}", "SOFTCNC": str(SOFTCNC)}
+
+
 def github(folder):
     """The exit status of each job of the workflow, by the rules of GitHub Actions."""
     workflow = yaml.safe_load((RECIPES / "github.yml").read_text())
@@ -80,6 +96,7 @@ def github(folder):
         for values in matrix(job):
             variables = {key: re.sub(r"\$\{\{ matrix\.(\w+) \}\}", lambda found: str(values[found[1]]), value)
                          for key, value in job.get("env", {}).items()}
+            variables |= bare(folder)
             variables["GITHUB_STEP_SUMMARY"] = str(folder / "summary.md")
             status = 0
             for step in job["steps"]:
@@ -109,8 +126,9 @@ def gitlab(folder):
             continue
         total = job.get("parallel", 1)
         for index in range(1, total + 1):
-            script = ["bash", "-eo", "pipefail", "-c", "\n".join(job["script"])]
-            status = run(script, folder, CI_NODE_INDEX=str(index), CI_NODE_TOTAL=str(total))
+            lines = pipeline["default"]["before_script"] + job["script"]
+            script = ["bash", "-eo", "pipefail", "-c", "\n".join(lines)]
+            status = run(script, folder, **bare(folder), CI_NODE_INDEX=str(index), CI_NODE_TOTAL=str(total))
             statuses[name] = statuses.get(name, 0) or status
             (folder / job["artifacts"]["reports"]["junit"]).rename(folder / f"results/{name}-{index}.xml")
     return statuses
@@ -179,6 +197,6 @@ def main():
 
 
 if __name__ == "__main__":
-    softcnc = pathlib.Path(sys.argv[1]).resolve()
-    ENVIRONMENT = {**os.environ, "PATH": f"{softcnc.parent}{os.pathsep}{os.environ['PATH']}"}
+    SOFTCNC = pathlib.Path(sys.argv[1]).resolve()
+    ENVIRONMENT = {**os.environ, "PATH": f"{SOFTCNC.parent}{os.pathsep}{os.environ['PATH']}"}
     sys.exit(main())
