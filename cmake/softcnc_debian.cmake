@@ -65,5 +65,18 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "${library} (= ${debian_version}), libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
     "libfmt-dev, libtomlplusplus-dev, libxxhash-dev, libyaml-cpp-dev, libzip-dev, libzstd-dev")
-# python3-softcnc goes here, with a component of its own.
+if(TARGET softcnc_python)
+  softcnc_debian_package(python python3-softcnc python "part programs in Python, as arrays of numpy"
+    "The module softcnc checks, plans and simulates part programs; rows of a run are
+arrays of numpy. It has sessions, curves, and limits of one's own.")
+  # What Python compiles of the modules comes and goes with them, as Debian's policy asks.
+  set(folder ${PROJECT_BINARY_DIR}/debian/python3-softcnc)
+  file(WRITE ${folder}/postinst
+       "#!/bin/sh\nset -e\n[ \"$1\" != configure ] || py3compile -p python3-softcnc\n")
+  file(WRITE ${folder}/prerm "#!/bin/sh\nset -e\npy3clean -p python3-softcnc\n")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${folder}/postinst ${folder}/prerm)
+  math(EXPR python_after "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_after}), python3-numpy")
+endif()
 include(CPack)

@@ -11,7 +11,9 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libs
                 zlib1g-dev libxxhash-dev libyaml-cpp-dev libreaderwriterqueue-dev libcairo2-dev fonts-dejavu-core)
 test_packages=(catch2 clang libclang-rt-14-dev librapidcheck-dev libbenchmark-dev python3
                python3-numpy python3-scipy python3-matplotlib python3-yaml parallel zstd
-               pybind11-dev python3-dev python3-pytest mypy)
+               python3-pytest mypy)
+# What the Python package is built from.
+python_packages=(pybind11-dev python3-dev)
 # What shows the pages of reports; their sources also need Node, see need_node.
 browser_packages=(chromium)
 tidy_packages=(clang clang-tidy clang-format)
