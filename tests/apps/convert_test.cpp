@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "apps/shell.hpp"
+#include "support/files.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -101,6 +102,28 @@ TEST_CASE("what is no move stays where it was", "[apps][convert]") {
     at = ended.out.find(word, at);
     REQUIRE(at != ended.out.npos);
   }
+}
+
+TEST_CASE("the roughness that is asked for is written where it changes", "[apps][convert]") {
+  const Folder folder;
+  const std::string part =
+      part_in(folder,
+              "S6000 M03\nG06.4 D5 J0.5 H10.67 L2\nG01 X10 F6000\nG00 Z5\nG01 X20\nG06.5\nX30\n"
+              "G06.4 D4 J0.4 H20 L3 R-30 Q12\nX40\nT2 M06\nM03\nG06.4 D4 J0.4 H20 L3\nX50\nM30\n");
+  const std::string out = folder / "out.nc";
+  CHECK(call("convert -q " + part + " --to g1 -o " + out).status == 0);
+  const std::string text = softcnc::test::bytes_of(out);
+  CAPTURE(text);
+  std::size_t at = 0;
+  for (const char* word :
+       {"G06.4 D5 J0.5 H10.67 L2\n", "X10", "Z5", "X20", "G06.5\n", "X30",
+        "G06.4 D4 J0.4 H20 L3 R-30 Q12\n", "X40", "T2 M06", "G06.4 D4 J0.4 H20 L3\n", "X50"}) {
+    CAPTURE(word);
+    at = text.find(word, at);
+    REQUIRE(at != text.npos);
+  }
+  CHECK(times_in(text, "G06.4") == 3);
+  CHECK(times_in(text, "G06.5") == 1);
 }
 
 TEST_CASE("a program with errors is not converted, and no file is left", "[apps][convert]") {

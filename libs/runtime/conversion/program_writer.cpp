@@ -73,8 +73,23 @@ void ProgramWriter::set_modes(const Move& move) {
     add(mode_ == PathMode::stop ? "G61.1" : follow_);
   feed_word_.clear();
   if (move.rapid) return;
+  set_surface(move.surface);
   const double feed = mm_min_from_mm_s(move.feed);
   if (feed != std::exchange(feed_, feed)) feed_word_ = fmt::format(" F{:.9g}", feed);
+}
+
+/// The speed of the spindle is that of the program.
+void ProgramWriter::set_surface(std::optional<Surface> surface) {
+  if (surface) surface->spindle = 0;
+  if (surface == std::exchange(surface_, surface)) return;
+  if (!surface) return add("G06.5");
+  std::string line = fmt::format("G06.4 D{:.12g} J{:.12g} H{:.12g} L{}", surface->tool_radius,
+                                 surface->pick_feed, um_from_mm(surface->rmax), surface->teeth);
+  if (surface->transverse_curvature != 0)
+    line += fmt::format(" R{:.12g}", 1 / surface->transverse_curvature);
+  if (surface->slope_across != 0)
+    line += fmt::format(" Q{:.12g}", deg_from_rad(surface->slope_across));
+  add(line);
 }
 
 void ProgramWriter::write(const Move& move) {
@@ -194,6 +209,7 @@ void ProgramWriter::write(const Action& action) {
                        : action.code;
   switch (action.kind) {
     case Kind::tool:
+      surface_.reset();
       return add(fmt::format("T{:g} M06", action.value));
     case Kind::spindle: {
       const bool turns = action.value != 0;

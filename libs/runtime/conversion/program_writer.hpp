@@ -2,6 +2,7 @@
 // Blocks as the lines of a part program.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "runtime/conversion/conversion.hpp"
@@ -29,6 +30,7 @@ class ProgramWriter {
   void write_chords(const Path& path);
   void write_biarcs(const Path& path);
   void set_modes(const Move& move);
+  void set_surface(std::optional<Surface> surface);
   std::string words(const AxisVector& to) const;
   void add(std::string_view line);
 
@@ -40,6 +42,7 @@ class ProgramWriter {
   PathMode mode_ = PathMode::follow;
   double feed_ = 0;        // mm/min
   std::string feed_word_;  // that the next line needs
+  std::optional<Surface> surface_;
   ConversionCounts counts_;
 };
 
