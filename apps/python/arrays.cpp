@@ -53,6 +53,7 @@ ArrayTrace::ArrayTrace(const Machine& machine, const std::vector<std::string>& f
       unknown_ = column;
     else
       kept.push_back({found->name, found->source, found->index});
+    if (unknown_) break;
   }
   columns_ = std::move(kept);
 }
@@ -139,6 +140,10 @@ py::dict ArrayTrace::take() {
     const py::dtype type(is_text ? "U" + std::to_string(longest_limit())
                                  : std::string(is_whole ? "i8" : "f8"));
     const auto rows = static_cast<py::ssize_t>(column.bytes.size()) / type.itemsize();
+    if (rows == 0) {
+      arrays[py::str(column.name)] = py::array(type, py::array::ShapeContainer{0});
+      continue;
+    }
     void* bytes = column.bytes.release();
     const py::capsule owner(bytes, [](void* owned) { std::free(owned); });
     arrays[py::str(column.name)] = py::array(type, {rows}, {type.itemsize()}, bytes, owner);

@@ -24,7 +24,7 @@ class GrowingBytes {
   /// Returns room for so many bytes more, or null where there is none.
   std::byte* add(std::size_t size) noexcept;
   std::size_t size() const noexcept { return size_; }
-  /// Gives the memory away, without what has not been used.
+  /// Returns the memory, which the caller then frees, without what has not been used.
   void* release() noexcept;
 
  private:

@@ -31,6 +31,21 @@ std::string repr_of(const Diagnostic& diagnostic) {
          std::to_string(diagnostic.line) + ": " + diagnostic.message + ">";
 }
 
+py::tuple state_of(const Diagnostic& d) {
+  return py::make_tuple(d.code, static_cast<int>(d.severity), d.file, d.line, d.column, d.length,
+                        d.message, d.source_line, d.text, d.help);
+}
+
+Diagnostic diagnostic_of_state(const py::tuple& state) {
+  const auto text = [&](std::size_t i) { return state[i].cast<std::string>(); };
+  const auto number = [&](std::size_t i) { return state[i].cast<int>(); };
+  return {text(0),   static_cast<Severity>(number(1)),
+          text(2),   number(3),
+          number(4), number(5),
+          text(6),   text(7),
+          text(8),   text(9)};
+}
+
 PyObject* error_class = nullptr;
 
 }  // namespace
@@ -50,13 +65,18 @@ void add_diagnostics(py::module_& module) {
       .def_readonly("message", &Diagnostic::message)
       .def_readonly("source_line", &Diagnostic::source_line)
       .def_readonly("help", &Diagnostic::help)
+      .def(py::pickle([](const Diagnostic& d) { return state_of(d); },
+                      [](const py::tuple& state) { return diagnostic_of_state(state); }))
+      .def("__eq__",
+           [](const Diagnostic& a, const Diagnostic& b) { return state_of(a).equal(state_of(b)); })
+      .def("__hash__", [](const Diagnostic& a) { return py::hash(state_of(a)); })
       .def("__str__", text_of)
       .def("__repr__", repr_of);
   error_class = PyErr_NewExceptionWithDoc(
       "softcnc.Error",
       "What is wrong with a program, a machine or a state.\n\n"
       "`diagnostics` lists all of it; str() shows the errors as `softcnc check` does.",
-      nullptr, nullptr);
+      nullptr, py::dict(py::arg("diagnostics") = py::list()).ptr());
   module.attr("Error") = py::handle(error_class);
 }
 

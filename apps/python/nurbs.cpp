@@ -5,6 +5,8 @@
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 
+#include <cmath>
+
 #include "api/convert.hpp"
 #include "bindings.hpp"
 
@@ -49,6 +51,7 @@ Numbers each_number(const Numbers& u, Function&& f) {
 }
 
 double within(const Nurbs& nurbs, double u) {
+  if (!std::isfinite(u)) throw py::value_error("parameters must be finite");
   return std::clamp(u, nurbs.u_first(), nurbs.u_last());
 }
 

@@ -16,25 +16,34 @@ class PythonLimit final : public api::Constraint {
   PythonLimit(py::function function, Interruption& interruption)
       : function_(std::move(function)), interruption_(interruption) {}
   ~PythonLimit() override {
-    const py::gil_scoped_acquire held;
-    function_.release().dec_ref();
+    const py::handle function = function_.release();
+    with_gil([&] { function.dec_ref(); });
   }
 
   double largest_speed(const api::PathPoint& point) const noexcept override {
-    const py::gil_scoped_acquire held;
-    try {
-      return function_(point.position, point.tangent, point.curvature, point.feed, point.rapid)
-          .cast<double>();
-    } catch (const py::cast_error&) {
-      interruption_.end_with(
-          std::make_exception_ptr(py::type_error("a limit must return a speed in mm/s")));
-    } catch (...) {
-      interruption_.end_with(std::current_exception());
-    }
-    return std::numeric_limits<double>::infinity();
+    double speed = std::numeric_limits<double>::infinity();
+    const bool is_called = with_gil([&] {
+      try {
+        speed = call(point);
+      } catch (...) {
+        interruption_.end_with(std::current_exception());
+      }
+    });
+    if (!is_called) interruption_.end_with(nullptr);
+    return speed;
   }
 
  private:
+  double call(const api::PathPoint& point) const {
+    const py::object speed =
+        function_(point.position, point.tangent, point.curvature, point.feed, point.rapid);
+    if (!py::isinstance<py::float_>(speed) && !py::isinstance<py::int_>(speed))
+      throw py::type_error("a limit must return a speed, mm/s");
+    const auto value = speed.cast<double>();
+    if (!(value > 0)) throw py::value_error("a limit must return a speed above 0, mm/s");
+    return value;
+  }
+
   py::function function_;
   Interruption& interruption_;
 };
@@ -59,6 +68,9 @@ api::RunOptions run_options(const Options& options, Interruption& interruption) 
   run.subprogram_folders = options.subprograms;
   run.definitions = options.define;
   run.state = options.state;
+  constexpr double kMost = 2;
+  if (!(options.feed_override > 0 && options.feed_override <= kMost))
+    throw py::value_error("feed_override must be above 0 and at most 2");
   if (!options.limit.is_none())
     run.constraints.push_back(
         std::make_shared<PythonLimit>(options.limit.cast<py::function>(), interruption));

@@ -3,6 +3,9 @@
 
 #include <pybind11/eigen.h>
 
+#include <mutex>
+#include <stdexcept>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "hal/backends/backend.hpp"
@@ -35,6 +38,8 @@ class Session {
 
   /// Returns up to `most` rows.
   py::dict step(std::int64_t most, const std::optional<Names>& asked) {
+    if (interruption_.stop().stop_requested())
+      throw std::runtime_error("this session has ended: its limit has raised an exception");
     ArrayTrace trace(machine_, runtime::row_columns(*backend_), asked);
     if (trace.unknown())
       throw py::value_error("no column '" + *trace.unknown() + "' in this session");
@@ -56,6 +61,7 @@ class Session {
     return session_->takes_more() && session_->feed(text).has_value();
   }
   runtime::Session& operator*() noexcept { return *session_; }
+  std::mutex& mutex() noexcept { return mutex_; }
   const char* status() const noexcept {
     return kStatusNames[static_cast<std::size_t>(session_->status())];
   }
@@ -67,6 +73,7 @@ class Session {
   }
 
  private:
+  std::mutex mutex_;  // held while a thread uses the session
   Machine machine_;
   Interruption interruption_;  // by functions of Python, which the session keeps
   api::RunOptions options_;
@@ -75,25 +82,40 @@ class Session {
   std::optional<runtime::Session> session_;
 };
 
+/// Returns a function that uses a session, which only one thread can do at a time.
+template <typename... Arguments, typename Use>
+auto alone(Use use) {
+  return [use](Session& session, Arguments... arguments) {
+    const std::unique_lock lock(session.mutex(), std::try_to_lock);
+    if (!lock) throw std::runtime_error("another thread uses this session");
+    return use(session, arguments...);
+  };
+}
+
 }  // namespace
 
 void add_session(py::module_& module) {
+  using Columns = std::optional<Names>;
   py::class_<Session>(module, "Session")
       .def(py::init<const api::Machine&, const Options&, bool, const api::AxisVector&>())
-      .def("feed", &Session::feed)
-      .def("step", &Session::step)
-      .def("end", [](Session& session) { (*session).end(); })
-      .def("rest", [](Session& session) { (*session).rest(); })
-      .def("go_on", [](Session& session) { (*session).go_on(); })
-      .def("hold", [](Session& session) { (*session).hold(); })
-      .def("resume", [](Session& session) { (*session).resume(); })
-      .def("abort", [](Session& session) { (*session).abort(); })
+      .def("feed",
+           alone<std::string>([](Session& s, const std::string& text) { return s.feed(text); }))
+      .def("step",
+           alone<std::int64_t, Columns>([](Session& s, std::int64_t most, const Columns& asked) {
+             return s.step(most, asked);
+           }))
+      .def("end", alone([](Session& s) { (*s).end(); }))
+      .def("rest", alone([](Session& s) { (*s).rest(); }))
+      .def("go_on", alone([](Session& s) { (*s).go_on(); }))
+      .def("hold", alone([](Session& s) { (*s).hold(); }))
+      .def("resume", alone([](Session& s) { (*s).resume(); }))
+      .def("abort", alone([](Session& s) { (*s).abort(); }))
       .def("set_feed_override",
-           [](Session& session, double value) { (*session).set_feed_override(value); })
-      .def("position", [](Session& session) { return api::AxisVector((*session).position()); })
-      .def("status", &Session::status)
-      .def("diagnostics", &Session::diagnostics)
-      .def("state", &Session::state);
+           alone<double>([](Session& s, double value) { (*s).set_feed_override(value); }))
+      .def("position", alone([](Session& s) { return api::AxisVector((*s).position()); }))
+      .def("status", alone([](Session& s) { return s.status(); }))
+      .def("diagnostics", alone([](Session& s) { return s.diagnostics(); }))
+      .def("state", alone([](Session& s) { return s.state(); }));
 }
 
 }  // namespace softcnc::python

@@ -133,6 +133,57 @@ def test_a_limit_of_ones_own_is_kept_and_what_it_raises_is_raised():
         softcnc.plan(text, limit=lambda *point: 1 / 0)
     with pytest.raises(TypeError, match="a limit must return a speed"):
         softcnc.plan(text, limit=lambda *point: "fast")
+    for speed in (0, -1, float("nan")):
+        with pytest.raises(ValueError, match="a speed above 0"):
+            softcnc.plan(text, limit=lambda *point: speed)
+
+
+def test_values_that_are_wrong_are_refused():
+    text = "G1 X10 F6000\nM2\n"
+    for override in (0, -1, float("nan"), 2.5, float("inf")):
+        with pytest.raises(ValueError, match="feed_override"):
+            softcnc.plan(text, feed_override=override)
+    for values in ({"columns": "t_s"}, {"subprograms": "subs"}, {"column": ["t_s"]}):
+        with pytest.raises(TypeError):
+            softcnc.plan(text, **values)
+    with pytest.raises(ValueError, match="no column 'aa'"):
+        softcnc.plan(text, columns=["aa", "bb"])
+    with pytest.raises(softcnc.Error, match="SC6"):
+        softcnc.plan("")
+    with pytest.raises(softcnc.Error, match="SC6"):
+        softcnc.plan("/")
+    assert softcnc.plan("G1 X[#100] F600\nM2\n", define={100: 7}).x_mm[-1] == 7
+
+
+def test_a_machine_beside_the_program_is_that_of_the_command(command, tmp_path):
+    """A link out of the folder, or what is no file, is refused; files of backends do not count."""
+    part, beside = tmp_path / "part.nc", tmp_path / "part.toml"
+    part.write_text("G1 X10 F6000\nM2\n")
+    beside.write_text('[control]\nperiod_ms = 2\nbackend = "stepdir"\n[backend.stepdir]\nfile = "/tmp/x.vcd"\n')
+    assert softcnc.plan(part).t_s[1] == 0.002
+    assert [one.code for one in softcnc.check(part)] == ["SC7021"]
+    assert [one.code for one in softcnc.plan(part).diagnostics] == ["SC7021"]
+    assert softcnc.check(part, softcnc.Machine()) == []
+    beside.unlink()
+    beside.symlink_to(tmp_path / "nowhere.toml")
+    with pytest.raises(softcnc.Error, match="SC7003"):
+        softcnc.plan(part)
+    beside.unlink()
+    os.mkfifo(beside)
+    with pytest.raises(softcnc.Error, match="SC7003"):
+        softcnc.plan(part)
+
+
+def test_a_process_ends_while_a_thread_plans_with_a_limit():
+    code = (
+        "import softcnc, threading, time\n"
+        "def plan():\n"
+        f"    softcnc.plan({ENDLESS!r}, columns=['t_s'], limit=lambda *point: 20.0)\n"
+        "threading.Thread(target=plan, daemon=True).start()\n"
+        "time.sleep(0.3)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and done.stderr == ""
 
 
 ENDLESS = "o100 while [1]\nG1 X10 F6000\nX0\no100 endwhile\nM2\n"

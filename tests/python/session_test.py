@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Sessions and curves in Python."""
+import copy
 import pickle
+import threading
 
 import numpy as np
 import pytest
@@ -63,12 +65,45 @@ def test_a_simulated_session_has_the_columns_of_the_mill():
     assert 0 < np.max(rows.x_mm - rows.x_act_mm) < 1
 
 
-def test_what_a_limit_raises_is_raised_by_the_step():
+def test_what_a_limit_raises_is_raised_by_the_step_and_ends_the_session():
     session = softcnc.Session(limit=lambda *point: [][0])
     session.feed("G1 X10 F600\n")
     session.end()
     with pytest.raises(IndexError):
         session.step(10)
+    with pytest.raises(RuntimeError, match="this session has ended"):
+        session.step(10)
+
+
+def test_without_rows_arrays_are_empty():
+    session = softcnc.Session()
+    for rows in (0, 10):
+        trace = session.step(rows)
+        assert len(trace) == 0 and trace.x_mm.shape == (0,) and trace.limit.shape == (0,)
+    session.feed("G1 X1 F600\nM0\nX0\n")
+    session.end()
+    assert len(session.step(10**6)) > 100 and session.status == "paused"
+    assert len(session.step(10)) == 0
+    session.resume()
+    assert len(session.step(10**6)) > 100 and session.status == "done"
+    assert len(session.step(10)) == 0 and session.step(1).position.shape == (0, 3)
+
+
+def test_one_thread_at_a_time_uses_a_session():
+    session = softcnc.Session()
+    session.feed("o100 while [1]\nG1 X10 F6000\nX0\no100 endwhile\nM2\n")
+    session.end()
+    stepped = threading.Thread(target=lambda: session.step(3_000_000, ["t_s"]))
+    stepped.start()
+    refused = 0
+    while stepped.is_alive():
+        for use in (session.hold, session.resume, lambda: session.feed("X1\n"), lambda: session.status):
+            try:
+                use()
+            except RuntimeError as error:
+                assert "another thread uses this session" in str(error)
+                refused += 1
+    assert refused > 0 and session.status == "running"
 
 
 def test_machines_are_values():
@@ -78,7 +113,21 @@ def test_machines_are_values():
         axis__x__jerk_mm_s3=0
     )
     assert pickle.loads(pickle.dumps(machine)) == machine
+    assert "2 ms" in repr(machine)
     assert softcnc.Machine.parse(machine.toml()) == machine
+
+
+def test_what_is_returned_can_be_pickled_and_copied():
+    with pytest.raises(softcnc.Error) as raised:
+        softcnc.plan("G1 X F100\nM2\n")
+    error = pickle.loads(pickle.dumps(raised.value))
+    assert str(error) == str(raised.value) and error.diagnostics == raised.value.diagnostics
+    assert softcnc.Error("x").diagnostics == []
+    trace = softcnc.plan("G1 X1 F100\nM2\n")
+    assert np.array_equal(pickle.loads(pickle.dumps(trace)).x_mm, trace.x_mm)
+    assert np.array_equal(copy.deepcopy(trace).x_mm, trace.x_mm)
+    curve = softcnc.Nurbs([[0, 0], [1, 1], [2, 0], [3, 1]], np.array([0, 0, 0, 0, 1, 1, 1, 1.0]))
+    assert pickle.loads(pickle.dumps(curve)).length == curve.length
 
 
 def test_a_curve_is_that_of_another_library():
@@ -142,3 +191,17 @@ def test_what_a_method_raises_is_raised():
     curve = softcnc.Nurbs([[0, 0], [1, 1], [2, 0], [3, 1]], [0, 0, 0, 0, 1, 1, 1, 1])
     with pytest.raises(KeyError):
         softcnc.walk(curve, softcnc.plan(curve.g06_2(600)), lambda curve, u, ds: {}[u])
+    with pytest.raises(ValueError, match="the method returned nan"):
+        softcnc.walk(curve, softcnc.plan(curve.g06_2(600)), lambda curve, u, ds: np.nan)
+    with pytest.raises(ValueError, match="a plan of three rows"):
+        softcnc.walk(curve, softcnc.plan(curve.g06_2(600), columns=["t_s"]), lambda *step: 0)
+
+
+def test_numbers_that_are_none_are_refused():
+    curve = softcnc.Nurbs([[0, 0], [1, 1], [2, 0], [3, 1]], [0, 0, 0, 0, 1, 1, 1, 1])
+    for use in (curve.point, curve.arc_length, curve.derivative, curve.curvature):
+        with pytest.raises(ValueError, match="must be finite"):
+            use(np.nan)
+    for feed in (np.nan, -5, 0):
+        with pytest.raises(ValueError, match="the feed must be above 0"):
+            curve.g06_2(feed)

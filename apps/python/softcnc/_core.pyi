@@ -11,7 +11,7 @@ __version__: str
 CURVE_COLUMNS: tuple[str, ...]
 
 class Error(Exception):
-    diagnostics: list[Diagnostic]
+    diagnostics: list[Diagnostic] = ...
 
 class Diagnostic:
     @property
@@ -43,6 +43,10 @@ class Machine:
     @property
     def period(self) -> float: ...
     def toml(self) -> str: ...
+
+def machine_beside(
+    file: str, settings: Sequence[str]
+) -> Optional[tuple[Machine, list[Diagnostic]]]: ...
 
 class State:
     def __init__(self) -> None: ...

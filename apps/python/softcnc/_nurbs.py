@@ -2,7 +2,7 @@
 """NURBS curves over arrays."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,8 +18,8 @@ class Nurbs:
     def __init__(
         self,
         control: ArrayLike,
-        knots: Sequence[float],
-        weights: Sequence[float] = (),
+        knots: ArrayLike,
+        weights: ArrayLike = (),
         degree: int = 3,
     ) -> None:
         """Makes a curve of control points (mm, shape (n, 2) or (n, 3)) and n + degree + 1 knots.
@@ -27,7 +27,8 @@ class Nurbs:
         Without weights all are 1. Raises Error.
         """
         points = np.atleast_2d(np.asarray(control, float))
-        self._core = _core.Nurbs(points, degree, list(knots), list(weights))
+        lists = (np.asarray(values, float).ravel().tolist() for values in (knots, weights))
+        self._core = _core.Nurbs(points, degree, *lists)
 
     @classmethod
     def of_block(cls, block: Mapping[str, Any]) -> Nurbs:
@@ -64,6 +65,12 @@ class Nurbs:
         """The knots, shape (n + degree + 1,)."""
         return np.array(self._core.knots())
 
+    def __repr__(self) -> str:
+        return f"<Nurbs of degree {self.degree}, {len(self.control)} points, {self.length:.3f} mm>"
+
+    def __reduce__(self) -> Any:
+        return Nurbs, (self.control, self.knots, self.weights, self.degree)
+
     def point(self, u: ArrayLike) -> Floats:
         """Returns the points at parameters u, mm, shape (len(u), 3)."""
         return self._core.point(np.atleast_1d(np.asarray(u, float)))
@@ -88,10 +95,12 @@ class Nurbs:
         return self._core.parameter(np.atleast_1d(np.asarray(s, float)))
 
     def g06_2(self, feed: float) -> str:
-        """Returns a program of the curve as a G06.2 block; feed in mm/min.
+        """Returns a program of the curve as a G06.2 block; feed in mm/min, above 0.
 
         The machine goes to its first point by a rapid first.
         """
+        if not (0 < feed < np.inf):
+            raise ValueError("the feed must be above 0")
         control, weights, knots = self.control, self.weights, [_decimal(k) for k in self.knots]
         lines = ["G21 G90 G17", "G00 " + _place(control[0])]
         for i, point in enumerate(control):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
 import numpy as np
@@ -30,17 +29,31 @@ def part_of(program: PathLike) -> _core.Part:
     return _core.Part(os.fspath(program))
 
 
-def machine_of(program: PathLike | None, machine: MachineLike, values: dict[str, Any]) -> Machine:
-    """Returns the machine of a run: the one that is given, else that beside the program."""
+def names_of(names: Iterable[Any] | None) -> list[str] | None:
+    """Returns a list of names; one name alone is a mistake."""
+    if names is None:
+        return None
+    if isinstance(names, (str, bytes)):
+        raise TypeError(f"a list of names is expected, not {names!r}")
+    return [os.fspath(name) for name in names]
+
+
+def machine_of(
+    program: PathLike | None, machine: MachineLike, values: dict[str, Any]
+) -> tuple[Machine, list[_core.Diagnostic]]:
+    """Returns the machine of a run: the one that is given, otherwise that beside the program.
+
+    With it come warnings about what does not count in a file beside the program.
+    """
     if machine is None and program is not None and not _is_text(program):
-        beside = Path(os.fspath(program)).with_suffix(".toml")
-        if beside.exists() and not beside.name.endswith(".state.toml"):
-            machine = beside
+        beside = _core.machine_beside(os.fspath(program), settings_of(values))
+        if beside is not None:
+            return Machine._of(beside[0]), beside[1]
     if machine is None:
         machine = Machine()
     elif not isinstance(machine, Machine):
         machine = Machine.load(machine)
-    return machine.set(**values)
+    return machine.set(**values), []
 
 
 def options_of(
@@ -59,8 +72,8 @@ def options_of(
     options.feed_override = feed_override
     options.block_skip = block_skip
     options.optional_stop = optional_stop
-    options.subprograms = [os.fspath(folder) for folder in subprograms]
-    options.define = dict(define or {})
+    options.subprograms = names_of(subprograms) or []
+    options.define = {str(name): value for name, value in (define or {}).items()}
     if state is not None:
         options.state = (state if isinstance(state, State) else State.load(state))._core
     options.limit = limit
@@ -72,6 +85,12 @@ _OPTIONS = frozenset(options_of.__code__.co_varnames[: options_of.__code__.co_ar
 
 def split(values: dict[str, Any]) -> tuple[_core.Options, dict[str, Any]]:
     """Returns the options of a run among keyword arguments, and the values of the machine."""
+    for key in values:
+        if key not in _OPTIONS and key != "name" and "." not in key.replace("__", "."):
+            raise TypeError(
+                f"{key!r} is neither an option ({', '.join(sorted(_OPTIONS))}) nor a key of a machine,"
+                " as axis__x__jerk_mm_s3"
+            )
     chosen = {key: value for key, value in values.items() if key in _OPTIONS}
     return options_of(**chosen), {k: v for k, v in values.items() if k not in _OPTIONS}
 
@@ -99,13 +118,17 @@ class Trace:
         return tuple(self._columns)
 
     def __getitem__(self, column: str) -> NDArray[Any]:
+        if column not in self._columns:
+            raise KeyError(self._missing(column))
         return self._columns[column]
 
     def __getattr__(self, column: str) -> NDArray[Any]:
-        columns: dict[str, NDArray[Any]] = self.__dict__.get("_columns", {})
-        if column not in columns:
-            raise AttributeError(f"no column {column!r}; there are {', '.join(columns)}")
-        return columns[column]
+        if column.startswith("_") or column not in self._columns:
+            raise AttributeError(column if column.startswith("_") else self._missing(column))
+        return self._columns[column]
+
+    def _missing(self, column: str) -> str:
+        return f"no column {column!r}; there are {', '.join(self._columns)}"
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]
@@ -120,6 +143,8 @@ class Trace:
     def position(self) -> NDArray[np.float64]:
         """The commanded positions, mm, shape (rows, axes)."""
         axes = [name for name in ("x_mm", "y_mm", "z_mm") if name in self._columns]
+        if not axes:
+            raise AttributeError("no column of an axis was asked for")
         return np.column_stack([self._columns[name] for name in axes])
 
 
@@ -134,13 +159,14 @@ def plan(
 
     program: the name of a file, or a text of more than one line.
     machine: a Machine or the name of a machine file; without it the file beside the program that
-        ends in .toml, else the built-in machine.
+        ends in .toml, otherwise the built-in machine.
     columns: the columns that are kept, in this order, those of CURVE_COLUMNS among them; without it
         all except these.
     values: options of the run (dialect, feed_override, block_skip, optional_stop, subprograms,
         define, state, limit), and values of the machine as Machine.set() takes them. `limit` is a
-        function of position, unit tangent, curvature vector (1/mm), feed (mm/s) and rapid (bool)
-        that returns the largest speed, mm/s; in the column `limit` it is "custom".
+        function of position (mm, shape (3,)), unit tangent (3,), curvature vector (1/mm, (3,)),
+        feed (mm/s) and rapid (bool) that returns the largest speed, mm/s, above 0; in the column
+        `limit` it is "custom".
 
     Raises Error where the program has errors, ValueError for an unknown column or dialect, and
     whatever `limit` raises. Ctrl-C ends it.
@@ -172,9 +198,11 @@ def _run(
     simulated: bool,
 ) -> Trace:
     options, settings = split(values)
-    model = machine_of(program, machine, settings)
-    asked = None if columns is None else list(columns)
-    return Trace(_core.run(part_of(program), model._core, options, asked, simulated))
+    model, warnings = machine_of(program, machine, settings)
+    asked = names_of(columns)
+    result = _core.run(part_of(program), model._core, options, asked, simulated)
+    result["diagnostics"] = warnings + result["diagnostics"]
+    return Trace(result)
 
 
 def check(program: PathLike, machine: MachineLike = None, **values: Any) -> list[_core.Diagnostic]:
@@ -184,7 +212,8 @@ def check(program: PathLike, machine: MachineLike = None, **values: Any) -> list
     that cannot be read and a wrong machine raise Error.
     """
     options, settings = split(values)
-    return _core.check(part_of(program), machine_of(program, machine, settings)._core, options)
+    model, warnings = machine_of(program, machine, settings)
+    return warnings + _core.check(part_of(program), model._core, options)
 
 
 def blocks(program: PathLike, machine: MachineLike = None, **values: Any) -> list[dict[str, Any]]:
@@ -193,5 +222,5 @@ def blocks(program: PathLike, machine: MachineLike = None, **values: Any) -> lis
     The arguments are those of plan(). Raises Error where the program has errors.
     """
     options, settings = split(values)
-    model = machine_of(program, machine, settings)
+    model, _ = machine_of(program, machine, settings)
     return [json.loads(line) for line in _core.blocks(part_of(program), model._core, options)]

@@ -5,18 +5,19 @@ from __future__ import annotations
 from typing import Any, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._machine import State
-from ._runs import MachineLike, Trace, machine_of, split
+from ._runs import MachineLike, Trace, machine_of, names_of, split
 
 
 class Session:
     """A machine that takes text and gives a row per period; it has no clock.
 
     status is "running" (step() gives rows), "waiting" (for more text), "paused" (at M00, M01, M06:
-    resume()), "done", "alarm", or "error" (a line was wrong: go_on()).
+    resume()), "done", "alarm", or "error" (a line was wrong: go_on()). One thread at a time can use
+    a session; another one gets a RuntimeError.
     """
 
     def __init__(
@@ -24,7 +25,7 @@ class Session:
         machine: MachineLike = None,
         *,
         simulated: bool = False,
-        start: Sequence[float] = (0.0, 0.0, 0.0),
+        start: ArrayLike = (0.0, 0.0, 0.0),
         **values: Any,
     ) -> None:
         """Opens a session at `start`, mm in machine coordinates; the rest as for plan().
@@ -32,8 +33,11 @@ class Session:
         simulated: rows have the columns of the simulated mill, as those of simulate().
         """
         options, settings = split(values)
-        model = machine_of(None, machine, settings)
-        self._core = _core.Session(model._core, options, simulated, np.array(start, float))
+        model, _ = machine_of(None, machine, settings)
+        self._core = _core.Session(model._core, options, simulated, np.asarray(start, float))
+
+    def __repr__(self) -> str:
+        return f"<Session, {self.status}, at {self.position.tolist()} mm>"
 
     def feed(self, text: str) -> bool:
         """Adds text to the program; a line counts once its newline has come.
@@ -43,11 +47,15 @@ class Session:
         return self._core.feed(text)
 
     def step(self, rows: int = 1, columns: Sequence[str] | None = None) -> Trace:
-        """Moves the machine by up to so many periods while it runs, and returns their rows."""
-        return Trace({"columns": self._core.step(rows, None if columns is None else list(columns))})
+        """Moves the machine by up to so many periods while it runs, and returns their rows.
+
+        Ctrl-C ends the call without rows; `position` is where the machine stands then. What the
+        limit of the session raises is raised here, and ends the session.
+        """
+        return Trace({"columns": self._core.step(rows, names_of(columns))})
 
     def end(self) -> None:
-        """Says that nothing more is fed."""
+        """Ends the program: nothing more is fed."""
         self._core.end()
 
     def rest(self) -> None:
@@ -92,4 +100,4 @@ class Session:
     @property
     def state(self) -> State:
         """What the program has left so far; a session that begins with it goes on from there."""
-        return State(self._core.state())
+        return State._of(self._core.state())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Interpolation methods of one's own along a curve, judged as `softcnc compare` judges its own."""
+"""Your own interpolation methods along a curve, judged as `softcnc compare` judges its own."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class Walk:
     u: Floats  #: parameter of each row, shape (rows,)
     position: Floats  #: mm, shape (rows, 3)
     chord_error_um: Floats  #: of the chord from the row before, um, shape (rows,)
-    feed_fluctuation: Floats  #: way over planned way, minus 1, shape (rows,)
+    feed_fluctuation: Floats  #: arc length over planned distance, minus 1, shape (rows,)
 
     @property
     def chord_error_um_max(self) -> float:
@@ -54,18 +54,23 @@ def walk(curve: Nurbs, plan: Trace, step: Step) -> Walk:
         at, s = parameters[-1], float(curve.arc_length(parameters[-1])[0])
         ds = profile.after(s) - s
         planned.append(ds if profile.moves_on(s + ds) else np.nan)
-        parameters.append(min(max(step(curve, at, ds), at), last) if ds > 0 else last)
+        to = float(step(curve, at, ds)) if ds > 0 else last
+        if not np.isfinite(to):
+            raise ValueError(f"the method returned {to} from {at}")
+        parameters.append(min(max(to, at), last))
     u, position = np.array(parameters), curve.point(parameters)
     ds_planned = np.array(planned)
-    way = np.append(np.nan, np.diff(curve.arc_length(u)))
-    fluctuation = np.where(ds_planned > 1e-3, way / ds_planned - 1, np.nan)
+    moved = np.append(np.nan, np.diff(curve.arc_length(u)))
+    fluctuation = np.where(ds_planned > 1e-3, moved / ds_planned - 1, np.nan)
     return Walk(u, position, _chord_errors(curve, u, position), fluctuation)
 
 
 class _Profile:
-    """The planned way along a curve over time: between rows, the cubic with their speeds."""
+    """The planned distance along a curve over time: between rows, the cubic with their speeds."""
 
     def __init__(self, plan: Trace, length: float) -> None:
+        if len(plan) < 3 or not {"t_s", "s_mm", "v_mm_s"} <= set(plan.columns):
+            raise ValueError("a plan of three rows or more with t_s, s_mm and v_mm_s is needed")
         s = plan.s_mm - (plan.s_mm[-1] - length)
         begin = int(np.searchsorted(s, 0.0))
         self._s, self._v = s[begin:], plan.v_mm_s[begin:]
@@ -89,7 +94,7 @@ class _Profile:
         return len(self._s) > 2 and s < float(self._s[-3])
 
     def _at(self, row: int, part: float) -> float:
-        """Returns the way at a part of the period after a row, mm."""
+        """Returns the distance at a part of the period after a row, mm."""
         a, b = self._s[row], self._s[row + 1]
         p, q = self._v[row] * self._period, self._v[row + 1] * self._period
         cubic = a + part * (p + part * (3 * (b - a) - 2 * p - q + part * (p + q - 2 * (b - a))))

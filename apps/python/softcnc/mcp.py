@@ -2,13 +2,17 @@
 """A server of the Model Context Protocol: python3 -m softcnc.mcp.
 
 It reads requests (JSON-RPC 2.0, one per line) from standard input and answers on standard output.
-Programs and machines come as texts; no file is read or written.
+Programs and machines come as texts. No file is read or written: keys of a machine that name files
+are refused. A tool that has no answer after a minute is ended.
 """
 from __future__ import annotations
 
 import json
+import signal
 import sys
-from typing import Any, Callable, TextIO
+import tomllib
+from types import FrameType
+from typing import Any, Callable, Iterator, Optional, TextIO
 
 import numpy as np
 
@@ -25,11 +29,44 @@ _VALUES = {
 }
 
 
+#: Keys of machines that name files or folders, by their last part.
+_FILES = ("path", "file", "plant", "device")
+_SECONDS = 60
+
+
+def _keys(table: dict[str, Any], before: str = "") -> Iterator[str]:
+    for key, value in table.items():
+        yield before + key
+        if isinstance(value, dict):
+            yield from _keys(value, f"{before}{key}.")
+
+
+def _refuse_files(keys: Iterator[str]) -> None:
+    for key in keys:
+        if key.rpartition(".")[2] in _FILES:
+            raise ValueError(f"{key} names a file, which is not read here")
+
+
+def _text(arguments: dict[str, Any], name: str) -> str:
+    if not isinstance(arguments[name], str):
+        raise TypeError(f"{name} must be a text")
+    return str(arguments[name])
+
+
+def _machine(arguments: dict[str, Any]) -> Machine:
+    if not arguments.get("machine"):
+        return Machine()
+    text = _text(arguments, "machine")
+    try:
+        _refuse_files(_keys(tomllib.loads(text)))
+    except tomllib.TOMLDecodeError:
+        pass  # Machine.parse() says what is wrong, with its place
+    return Machine.parse(text)
+
+
 def _arguments(arguments: dict[str, Any]) -> tuple[str, Machine, dict[str, Any]]:
-    text = str(arguments["program"]) + "\n"
-    machine = arguments.get("machine")
-    values = {"dialect": arguments["dialect"]} if "dialect" in arguments else {}
-    return text, Machine.parse(machine) if machine else Machine(), values
+    values = {"dialect": _text(arguments, "dialect")} if "dialect" in arguments else {}
+    return _text(arguments, "program") + "\n", _machine(arguments), values
 
 
 def _check(arguments: dict[str, Any]) -> str:
@@ -59,6 +96,9 @@ def _report(arguments: dict[str, Any]) -> str:
 
 def _what_if(arguments: dict[str, Any]) -> str:
     text, machine, values = _arguments(arguments)
+    if not isinstance(arguments["values"], dict):
+        raise TypeError("values must be an object")
+    _refuse_files(iter(arguments["values"]))
     changed = machine.set(**arguments["values"])
     before, after = (plan(text, m, columns=["t_s"], **values).time_s for m in (machine, changed))
     return json.dumps({"before_s": before, "after_s": after, "saved_s": before - after})
@@ -69,9 +109,8 @@ def _compare(arguments: dict[str, Any]) -> str:
     columns = ["chord_error_um", "feed_fluctuation"]
     rows = {}
     for method in arguments.get("methods", ["arc-length", "taylor1", "taylor2", "chords"]):
-        trace = plan(
-            text, machine.set(control__interpolation=method), columns=columns, **values
-        )
+        model = machine.set(control__interpolation=method)
+        trace = plan(text, model, columns=columns, **values)
         rows[method] = {
             "time_s": trace.time_s,
             "chord_error_um_max": float(np.nanmax(trace.chord_error_um, initial=0.0)),
@@ -107,57 +146,79 @@ TOOLS: dict[str, tuple[dict[str, Any], Callable[[dict[str, Any]], str]]] = {
 }
 
 
-def _call(parameters: dict[str, Any]) -> dict[str, Any]:
+def _time_is_up(_number: int, _frame: Optional[FrameType]) -> None:
+    raise TimeoutError(f"ended after {_SECONDS} s")
+
+
+def _call(tool: Callable[[dict[str, Any]], str], arguments: dict[str, Any]) -> dict[str, Any]:
     """Errors of a tool are answers, which whoever asked can read."""
+    signal.signal(signal.SIGALRM, _time_is_up)
+    signal.alarm(_SECONDS)
     try:
-        tool = TOOLS[parameters["name"]][1]
-        text, wrong = tool(parameters.get("arguments", {})), False
-    except Error as error:
-        text, wrong = str(error), True
+        text, is_wrong = tool(arguments), False
     except KeyError as error:
-        text, wrong = f"missing or unknown: {error}", True
-    except (TypeError, ValueError) as error:
-        text, wrong = str(error), True
-    return {"content": [{"type": "text", "text": text}], "isError": wrong}
+        text, is_wrong = f"missing: {error}", True
+    except (Error, TypeError, ValueError, TimeoutError, MemoryError) as error:
+        text, is_wrong = str(error) or type(error).__name__, True
+    finally:
+        signal.alarm(0)
+    return {"content": [{"type": "text", "text": text}], "isError": is_wrong}
 
 
-def answer(request: dict[str, Any]) -> dict[str, Any] | None:
-    """Returns the answer to a request, or nothing to a notification."""
-    if "id" not in request:
-        return None
-    method, parameters = request.get("method"), request.get("params") or {}
-    result: dict[str, Any]
+def _failed(number: Any, code: int, message: str) -> dict[str, Any]:
+    return {"jsonrpc": "2.0", "id": number, "error": {"code": code, "message": message}}
+
+
+def _result(method: Any, parameters: dict[str, Any]) -> dict[str, Any] | None:
+    """Returns what a method returns; nothing for one that there is not."""
     if method == "initialize":
         asked = parameters.get("protocolVersion")
-        result = {
+        return {
             "protocolVersion": asked if asked in VERSIONS else VERSIONS[0],
             "capabilities": {"tools": {}},
             "serverInfo": {"name": "softcnc", "version": __version__},
         }
-    elif method == "ping":
-        result = {}
-    elif method == "tools/list":
-        result = {"tools": [{"name": name, **tool[0]} for name, tool in TOOLS.items()]}
-    elif method == "tools/call":
-        result = _call(parameters)
-    else:
-        error = {"code": -32601, "message": f"no method {method!r}"}
-        return {"jsonrpc": "2.0", "id": request["id"], "error": error}
-    return {"jsonrpc": "2.0", "id": request["id"], "result": result}
+    if method == "ping":
+        return {}
+    if method == "tools/list":
+        return {"tools": [{"name": name, **tool[0]} for name, tool in TOOLS.items()]}
+    if method == "tools/call":
+        return _call(TOOLS[parameters["name"]][1], parameters.get("arguments") or {})
+    return None
+
+
+def answer(request: Any) -> dict[str, Any] | None:
+    """Returns the answer to a request, or nothing to a notification."""
+    if not isinstance(request, dict) or not isinstance(request.get("method"), str):
+        return _failed(None, -32600, "not a request")
+    if "id" not in request:
+        return None
+    number, method, parameters = request["id"], request["method"], request.get("params") or {}
+    if not isinstance(parameters, dict) or not isinstance(parameters.get("arguments", {}), dict):
+        return _failed(number, -32602, "params must be an object")
+    if method == "tools/call" and parameters.get("name") not in TOOLS:
+        return _failed(number, -32602, f"no tool {parameters.get('name')!r}")
+    result = _result(method, parameters)
+    if result is None:
+        return _failed(number, -32601, f"no method {method!r}")
+    return {"jsonrpc": "2.0", "id": number, "result": result}
+
+
+def reply_to(line: str) -> Any:
+    """Returns what is answered to a line: to a list of requests, a list; nothing where none is due."""
+    try:
+        request = json.loads(line)
+    except (ValueError, RecursionError) as error:
+        return _failed(None, -32700, str(error))
+    if not isinstance(request, list) or not request:
+        return answer(request)
+    return [one for one in map(answer, request) if one is not None] or None
 
 
 def serve(requests: TextIO, answers: TextIO) -> None:
     """Answers requests until they end."""
     for line in requests:
-        if not line.strip():
-            continue
-        try:
-            request = json.loads(line)
-        except ValueError as error:
-            wrong = {"code": -32700, "message": str(error)}
-            reply: dict[str, Any] | None = {"jsonrpc": "2.0", "id": None, "error": wrong}
-        else:
-            reply = answer(request if isinstance(request, dict) else {})
+        reply = reply_to(line) if line.strip() else None
         if reply is not None:
             answers.write(json.dumps(reply) + "\n")
             answers.flush()
