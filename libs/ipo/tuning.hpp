@@ -271,6 +271,9 @@ namespace solver {
 inline constexpr int kMostIterations = 150;
 // Iterations. Choice: a good guess needs no more.
 inline constexpr int kFewIterations = 45;
+// Of the time. Choice: where all constraints hold and the gap is less, more steps lead there.
+// Test, x 0.0001: a curve of chords takes 2.7 s instead of 1.8 s.
+inline constexpr double kNearGap = 0.05;
 // Of the time. Choice: how near to the optimum.
 // Test, x 100: none fails.
 inline constexpr double kTimeTolerance = 1e-4;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Curves from lines: what is promised, measured from outside, and how fast they are.
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <numbers>
+#include <sstream>
 
 #include "ipo/rebuild/tube_check.hpp"
 #include "support/curves.hpp"
+#include "support/files.hpp"
 #include "support/machines.hpp"
 #include "support/paths.hpp"
 #include "support/property.hpp"
@@ -200,6 +203,22 @@ TEST_CASE("a chopped butterfly is run as fast as the curve", "[rebuild]") {
   Machine off = machine;
   off.control.rebuild = Rebuild::off;
   CHECK(test::run(off, lines_within(points, 0.005)).counts.rebuild.lines == 0);
+}
+
+TEST_CASE("a plan that keeps its limits and nears the optimum is not given up", "[rebuild]") {
+  Points points{AxisVector::Zero()};
+  std::istringstream lines(test::bytes_of(SOFTCNC_SOURCE_DIR "/tests/data/slow_plan.nc"));
+  double x = 0, y = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (std::sscanf(line.c_str(), "X%lf Y%lf", &x, &y) == 2) points.emplace_back(x, y, 0);
+  REQUIRE(points.size() > 150);
+  Machine machine = test::machine_with(500, 2005, 13644.7);
+  machine.control.period = 0.002;
+  machine.axes[1].acceleration = 1589.3;
+  machine.axes[2].acceleration = 377.4;
+  const auto result = test::run(machine, lines_within(points, 0.01, 8000.0 / 60));
+  CHECK(result.counts.effort.fallbacks == 0);
+  CHECK(result.time < 1.85);  // 2.68 s where the solver gives up after 45 steps
 }
 
 TEST_CASE("corners between lines longer than their rounding stay where they are", "[rebuild]") {

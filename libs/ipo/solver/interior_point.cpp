@@ -168,12 +168,12 @@ std::vector<double> InteriorPoint::speeds() const {
   return q;
 }
 
-SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) {
+SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int few, int most) {
   begin(begin_at.empty() ? guess() : begin_at);
   const double bounds = static_cast<double>(limit_bounds_.size() + 2 * constraints_.size());
   int iteration = 0;
-  for (; iteration < most && !is_solved(); ++iteration) {
-    if (is_hopeless()) break;
+  bool solved = is_solved();
+  for (; !solved && !is_hopeless() && iteration < (is_near() ? most : few); ++iteration) {
     const bool kept = violation_ < tuning::solver::kTangentTolerance;
     const double aim = gap_ / bounds;
     assemble();
@@ -181,10 +181,16 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
     const double sigma =
         std::clamp(part * part * part, tuning::solver::kLeastCentred, tuning::solver::kMostCentred);
     take(find_step(sigma * aim, 1));
-    if (!kept && iteration % tuning::solver::kStubborn != tuning::solver::kStubborn - 1) continue;
-    move_tangents(speeds());
+    if (kept || iteration % tuning::solver::kStubborn == tuning::solver::kStubborn - 1)
+      move_tangents(speeds());
+    solved = is_solved();
   }
-  return {coefficients_, iteration, iteration < most && !is_hopeless()};
+  return {coefficients_, iteration, solved};
+}
+
+bool InteriorPoint::is_near() const noexcept {
+  return violation_ <= tuning::solver::kConstraintTolerance &&
+         gap_ <= tuning::solver::kNearGap * time_;
 }
 
 bool InteriorPoint::is_hopeless() const noexcept {
@@ -195,15 +201,16 @@ bool InteriorPoint::is_hopeless() const noexcept {
 SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
                              int most) {
   SpeedSolution solution =
-      InteriorPoint(problem).run(begin_at, std::min(tuning::solver::kFewIterations, most));
+      InteriorPoint(problem).run(begin_at, std::min(tuning::solver::kFewIterations, most),
+                                 std::min(tuning::solver::kMostIterations, most));
   const auto left = [&] {
     return std::min(tuning::solver::kMostIterations, most - solution.iterations);
   };
   if (solution.converged || left() <= 0) return solution;
   InteriorPoint without_jerk(problem.without_root_constraints());
-  solution.iterations += without_jerk.run({}, left()).iterations;
+  solution.iterations += without_jerk.run({}, left(), left()).iterations;
   if (left() <= 0) return solution;
-  SpeedSolution last = InteriorPoint(problem).run(without_jerk.speeds(), left());
+  SpeedSolution last = InteriorPoint(problem).run(without_jerk.speeds(), left(), left());
   last.iterations += solution.iterations;
   return last;
 }

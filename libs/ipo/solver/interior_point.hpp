@@ -20,8 +20,8 @@ class InteriorPoint {
  public:
   explicit InteriorPoint(SpeedProblem problem);
   /// Starts from a part of `begin_at`, by node, or from a guess if that is empty. Gives up after
-  /// `most` steps.
-  SpeedSolution run(const std::vector<double>& begin_at, int most);
+  /// `few` steps where it is not near a solution then, otherwise after `most`.
+  SpeedSolution run(const std::vector<double>& begin_at, int few, int most);
   std::vector<double> speeds() const;
 
  private:
@@ -37,6 +37,7 @@ class InteriorPoint {
     return coefficients_[node + 1] - limits_[node];
   }
   bool is_solved();
+  bool is_near() const noexcept;
   bool is_hopeless() const noexcept;
   void measure();
   double gradient_left();
