@@ -3,7 +3,7 @@
 #include <iostream>
 #include <softcnc/softcnc.hpp>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;

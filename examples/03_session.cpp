@@ -5,7 +5,7 @@
 #include <iterator>
 #include <softcnc/softcnc.hpp>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <softcnc/softcnc.hpp>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 int main() {
   auto session = cnc::Session::open(cnc::Machine());

@@ -6,7 +6,7 @@
 #include <limits>
 #include <softcnc/softcnc.hpp>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 class HalfFeedDown final : public cnc::Constraint {
  public:

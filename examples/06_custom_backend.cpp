@@ -4,7 +4,7 @@
 #include <iostream>
 #include <softcnc/softcnc.hpp>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 class Table final : public cnc::Backend {
  public:

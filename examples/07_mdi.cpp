@@ -9,7 +9,7 @@
 #include <softcnc/softcnc.hpp>
 #include <string>
 
-namespace cnc = softcnc::api;
+namespace cnc = softcnc;
 
 int main(int argc, char** argv) {
   cnc::RunOptions options;

@@ -2,11 +2,10 @@
 // The library softcnc: part programs checked, planned, and run from C++.
 //
 //   #include <softcnc/softcnc.hpp>
-//   namespace cnc = softcnc::api;
 //
-//   const auto program = cnc::Program::open("part.nc");
+//   const auto program = softcnc::Program::open("part.nc");
 //   if (!program) return 1;
-//   const auto trajectory = cnc::plan(*program, cnc::Machine());
+//   const auto trajectory = softcnc::plan(*program, softcnc::Machine());
 //   if (!trajectory) return 1;
 //   std::cout << trajectory->duration() << " s, "
 //             << trajectory->at(1.5).position.transpose() << '\n';
@@ -25,3 +24,9 @@
 #include <softcnc/setpoint.hpp>
 #include <softcnc/state.hpp>
 #include <softcnc/trajectory.hpp>
+
+/// Programs write softcnc::plan. Where the sources of softcnc are compiled, the namespace api keeps
+/// these names apart from those of its libraries, which include no more than single headers.
+namespace softcnc {
+using namespace api;  // NOLINT(google-build-using-namespace)
+}

@@ -6,29 +6,29 @@
 #include <utility>
 
 extern "C" double duration(const char* file) {
-  const auto program = softcnc::api::Program::open(file);
+  const auto program = softcnc::Program::open(file);
   if (!program) return -1;
-  const auto trajectory = softcnc::api::plan(*program, softcnc::api::Machine());
+  const auto trajectory = softcnc::plan(*program, softcnc::Machine());
   return trajectory ? trajectory->duration() : -1;
 }
 
 namespace {
 
-using softcnc::api::Machine;
-using softcnc::api::Session;
-using softcnc::api::SessionStatus;
+using softcnc::Machine;
+using softcnc::Session;
+using softcnc::SessionStatus;
 
 /// Its counter has broken.
-class NoPosition final : public softcnc::api::Backend {
+class NoPosition final : public softcnc::Backend {
  public:
-  softcnc::api::Feedback exchange(const softcnc::api::Setpoint&) noexcept override {
-    softcnc::api::Feedback feedback;
+  softcnc::Feedback exchange(const softcnc::Setpoint&) noexcept override {
+    softcnc::Feedback feedback;
     feedback.position[1] = std::numeric_limits<double>::quiet_NaN();
     return feedback;
   }
 };
 
-bool ends_in_alarm(std::shared_ptr<softcnc::api::Backend> backend) {
+bool ends_in_alarm(std::shared_ptr<softcnc::Backend> backend) {
   Session session = Session::on(std::move(backend), Machine());
   session.feed("G0 X1\nM2\n");
   session.end();
@@ -53,13 +53,13 @@ bool plans_with_state() {
   before.end();
   while (before.step()) {
   }
-  const auto program = softcnc::api::Program::from_text("G0 X1\nM2\n");
-  softcnc::api::RunOptions options;
+  const auto program = softcnc::Program::from_text("G0 X1\nM2\n");
+  softcnc::RunOptions options;
   options.state = before.state();
-  const auto trajectory = softcnc::api::plan(*program, Machine(), options);
+  const auto trajectory = softcnc::plan(*program, Machine(), options);
   if (!trajectory || trajectory->at(trajectory->duration()).position[0] != 11) return false;
   double last = 0;
-  trajectory->for_each_setpoint([&](const softcnc::api::Setpoint& setpoint) {
+  trajectory->for_each_setpoint([&](const softcnc::Setpoint& setpoint) {
     last = setpoint.position[0];
     return true;
   });
