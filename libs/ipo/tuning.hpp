@@ -700,6 +700,11 @@ inline constexpr double kLeastGap = 1e-9;
 
 namespace rebuild {
 
+// Choice: of the width of a rounding, so much longer are the lines beside a corner. Chords within
+// 9/8 P of their curve are part of it then, those that a CAM system has cut at P among them.
+// Test, x 2/3: of 200 programs with random lines, curves cut at 3/4 P or more take up to 1.04 times
+// as long as without curves, instead of 1.003.
+inline constexpr double kBesideCorner = 1.5;
 // mm. Choice: the longest knot span.
 inline constexpr double kLongestSpan = 1;
 // mm. Choice: the shortest.

@@ -200,6 +200,10 @@ TEST_CASE("a chopped butterfly is run as fast as the curve", "[rebuild]") {
   CHECK(chopped.time < 1.02 * own);
   CHECK(chopped.counts.rebuild.fallbacks == 0);
   CHECK(chopped.counts.rebuild.lines == points.size() - 1);
+  // Chords that are as far from the curve as P allows are still its chords.
+  const auto coarse = test::run(machine, lines_within(chopped_within(curve, 0.005), 0.005));
+  CHECK(coarse.counts.rebuild.curves == 1);
+  CHECK(coarse.time < 1.03 * own);
   Machine off = machine;
   off.control.rebuild = Rebuild::off;
   CHECK(test::run(off, lines_within(points, 0.005)).counts.rebuild.lines == 0);
@@ -222,7 +226,7 @@ TEST_CASE("a plan that keeps its limits and nears the optimum is not given up", 
 }
 
 TEST_CASE("corners between lines longer than their rounding stay where they are", "[rebuild]") {
-  // A hexagon of 3 mm sides: 6 P / |k| is 0.06 mm.
+  // A hexagon of 3 mm sides: 9 P / |k| is 0.09 mm.
   Points points;
   for (int i = 0; i <= 6; ++i) {
     const double angle = i * std::numbers::pi / 3;

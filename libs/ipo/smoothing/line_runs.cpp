@@ -52,7 +52,8 @@ double rounding_width(const PathEnd& before, const PathEnd& after) noexcept {
 }
 
 bool is_part_of_curve(const PathEnd& before, const PathEnd& after) noexcept {
-  return rounding_width(before, after) > std::min(before.length, after.length) &&
+  return tuning::rebuild::kBesideCorner * rounding_width(before, after) >
+             std::min(before.length, after.length) &&
          before.direction.dot(after.direction) >= tuning::blend::kTurnsBack;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which vertices are corners of the part, and which lines are a curve cut into pieces.
 //
-// A vertex is a corner where both of its lines are as long as the curve that would round it alone
-// within the tolerance: 6 P / |k| on either side, k being the jump of the direction. The chords of
-// a curve are shorter than that where they are within 3/4 P of it, whatever their length and
-// however much they turn. Lines between corners are rounded where they meet (polyline.hpp). A run
-// of others is one curve (rebuild/curve_run.hpp), which begins and ends on a line.
+// A vertex is a corner where both of its lines are half as long again as what the curve that would
+// round it alone within the tolerance takes of them, or longer: 9 P / |k|, k being the jump of the
+// direction. The chords of a curve are shorter than that where they are within 9/8 P of it,
+// whatever their length and however much they turn. Lines between corners are rounded where they
+// meet (polyline.hpp). A run of others is one curve (rebuild/curve_run.hpp), which begins and ends
+// on a line.
 #pragma once
 
 #include <cstddef>
