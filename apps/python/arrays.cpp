@@ -5,19 +5,11 @@
 #include <cstring>
 
 #include "hal/files/axis_name.hpp"
+#include "hal/trace/trace_npz.hpp"
 
 namespace softcnc::python {
-namespace {
 
 namespace py = pybind11;
-
-std::size_t longest_limit() {
-  std::size_t longest = 0;
-  for (int i = 0; i < kLimits; ++i) longest = std::max(longest, name(static_cast<Limit>(i)).size());
-  return longest;
-}
-
-}  // namespace
 
 std::byte* GrowingBytes::add(std::size_t size) noexcept {
   constexpr std::size_t kFirst = 4096;
@@ -49,11 +41,8 @@ ArrayTrace::ArrayTrace(const Machine& machine, const std::vector<std::string>& f
   for (const std::string& column : *asked) {
     const auto found = std::find_if(columns_.begin(), columns_.end(),
                                     [&](const Column& one) { return one.name == column; });
-    if (found == columns_.end())
-      unknown_ = column;
-    else
-      kept.push_back({found->name, found->source, found->index});
-    if (unknown_) break;
+    if (found == columns_.end()) throw py::value_error("no column '" + column + "' in this run");
+    kept.push_back({found->name, found->source, found->index});
   }
   columns_ = std::move(kept);
 }
@@ -126,7 +115,7 @@ void ArrayTrace::add(Column& column, T value) noexcept {
 
 /// Characters of four bytes, padded with zeros.
 void ArrayTrace::add_text(Column& column, std::string_view text) noexcept {
-  static const std::size_t length = longest_limit();
+  static const std::size_t length = hal::longest_limit();
   for (std::size_t i = 0; i < length; ++i)
     add(column, i < text.size() ? static_cast<char32_t>(text[i]) : char32_t{0});
 }
@@ -137,7 +126,7 @@ py::dict ArrayTrace::take() {
     const bool is_text = column.source == Source::limit;
     const bool is_whole = column.source == Source::line || column.source == Source::block ||
                           column.source == Source::further_whole;
-    const py::dtype type(is_text ? "U" + std::to_string(longest_limit())
+    const py::dtype type(is_text ? "U" + std::to_string(hal::longest_limit())
                                  : std::string(is_whole ? "i8" : "f8"));
     const auto rows = static_cast<py::ssize_t>(column.bytes.size()) / type.itemsize();
     if (rows == 0) {

@@ -40,12 +40,9 @@ class GrowingBytes {
 class ArrayTrace final : public hal::TraceWriter {
  public:
   /// `further` are the columns after those of every trace. Only columns of `asked` are kept, in
-  /// that order; all where it is empty. Errors: the first of `asked` that is no column, by
-  /// unknown().
+  /// that order; all where it is empty. Raises ValueError for one that is no column.
   ArrayTrace(const Machine& machine, const std::vector<std::string>& further,
              const std::optional<std::vector<std::string>>& asked);
-
-  const std::optional<std::string>& unknown() const noexcept { return unknown_; }
 
   void row(const Setpoint& setpoint, std::span<const double> further) noexcept override;
   void flush() noexcept override {}
@@ -86,7 +83,6 @@ class ArrayTrace final : public hal::TraceWriter {
 
   hal::TraceTime time_;
   std::vector<Column> columns_;
-  std::optional<std::string> unknown_;
   bool ok_ = true;
 };
 

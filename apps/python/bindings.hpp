@@ -15,6 +15,7 @@
 namespace softcnc::python {
 
 namespace py = pybind11;
+using Names = std::vector<std::string>;
 
 void add_diagnostics(py::module_& module);
 void add_machine(py::module_& module);

@@ -2,10 +2,9 @@
 #include <softcnc/machine.hpp>
 #include <softcnc/state.hpp>
 
-#include <filesystem>
-
 #include "api/convert.hpp"
 #include "bindings.hpp"
+#include "hal/machine/machine_confinement.hpp"
 #include "hal/machine/machine_file.hpp"
 
 namespace softcnc::python {
@@ -16,10 +15,8 @@ using Beside = std::pair<api::Machine, std::vector<api::Diagnostic>>;
 /// Returns the machine of the file beside a program, as the command finds it, and warnings about
 /// what in it does not count; nothing where there is no such file.
 std::optional<Beside> beside(const std::string& part, const std::vector<std::string>& settings) {
-  const std::string file = std::filesystem::path(part).replace_extension(".toml");
-  std::error_code ignored;
-  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
-  if (!is_there || file == part || file.ends_with(".state.toml")) return std::nullopt;
+  const std::string file = hal::machine_beside(part);
+  if (file.empty() || file == part) return std::nullopt;
   const auto found = hal::find_machine({file, true}, settings);
   if (!found) raise(api::diagnostics_of(found.error()));
   return Beside{value_of(api::Machine::parse(hal::machine_toml(found->machine), file)),

@@ -3,9 +3,10 @@
 
 #include <pybind11/eigen.h>
 
-#include <array>
 #include <limits>
-#include <string_view>
+
+#include "ipr/expressions/dialect.hpp"
+#include "runtime/session/feed_script.hpp"
 
 namespace softcnc::python {
 namespace {
@@ -48,12 +49,14 @@ class PythonLimit final : public api::Constraint {
   Interruption& interruption_;
 };
 
-api::Dialect dialect_of(const std::string& name) {
-  constexpr std::array<std::string_view, 5> kNames{"linuxcnc", "fanuc", "haas", "grbl", "auto"};
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (kNames[i] == name) return static_cast<api::Dialect>(i);
-  throw py::value_error("no dialect '" + name +
-                        "'; there are linuxcnc, fanuc, haas, grbl and auto");
+api::Dialect dialect_of(const std::string& asked) {
+  if (asked == ipr::kGuessed) return api::Dialect::automatic;
+  std::string known = ipr::kGuessed;
+  for (const ipr::Dialect dialect : ipr::kAllDialects) {
+    if (ipr::name(dialect) == asked) return static_cast<api::Dialect>(dialect);
+    known += ", " + std::string(ipr::name(dialect));
+  }
+  throw py::value_error("no dialect '" + asked + "'; there are " + known);
 }
 
 }  // namespace
@@ -68,8 +71,7 @@ api::RunOptions run_options(const Options& options, Interruption& interruption) 
   run.subprogram_folders = options.subprograms;
   run.definitions = options.define;
   run.state = options.state;
-  constexpr double kMost = 2;
-  if (!(options.feed_override > 0 && options.feed_override <= kMost))
+  if (!(options.feed_override > 0 && options.feed_override <= runtime::kLargestOverride))
     throw py::value_error("feed_override must be above 0 and at most 2");
   if (!options.limit.is_none())
     run.constraints.push_back(

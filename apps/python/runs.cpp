@@ -19,8 +19,6 @@
 namespace softcnc::python {
 namespace {
 
-using Names = std::vector<std::string>;
-
 /// A program: the name of a file, or a text.
 struct Part {
   std::string file, text;
@@ -78,15 +76,6 @@ std::vector<runtime::CurveColumn> curve_columns(const std::optional<Names>& aske
   return columns;
 }
 
-std::unique_ptr<ArrayTrace> array_trace(const Machine& machine, Names further,
-                                        const std::vector<runtime::CurveColumn>& curves,
-                                        const std::optional<Names>& asked) {
-  for (const runtime::CurveColumn column : curves) further.emplace_back(runtime::name(column));
-  auto trace = std::make_unique<ArrayTrace>(machine, further, asked);
-  if (trace->unknown()) throw py::value_error("no column '" + *trace->unknown() + "' in this run");
-  return trace;
-}
-
 py::dict run(const Part& part, const api::Machine& machine, const Options& options,
              const std::optional<Names>& asked, bool simulated) {
   const api::Program program = part.open();
@@ -97,7 +86,9 @@ py::dict run(const Part& part, const api::Machine& machine, const Options& optio
   const auto backend = hal::open_backend(model);
   if (!backend) raise(api::error_of(backend.error()));
   const auto curves = curve_columns(asked);
-  auto arrays = array_trace(model, runtime::row_columns(**backend), curves, asked);
+  Names further = runtime::row_columns(**backend);
+  for (const runtime::CurveColumn column : curves) further.emplace_back(runtime::name(column));
+  auto arrays = std::make_unique<ArrayTrace>(model, further, asked);
   ArrayTrace& trace = *arrays;
   runtime::TraceRows rows(std::move(arrays), curves);
   Found found(text);

@@ -15,8 +15,6 @@
 namespace softcnc::python {
 namespace {
 
-using Names = std::vector<std::string>;
-
 constexpr std::array<const char*, 6> kStatusNames{"running", "waiting", "paused",
                                                   "done",    "alarm",   "error"};
 
@@ -41,8 +39,6 @@ class Session {
     if (interruption_.stop().stop_requested())
       throw std::runtime_error("this session has ended: its limit has raised an exception");
     ArrayTrace trace(machine_, runtime::row_columns(*backend_), asked);
-    if (trace.unknown())
-      throw py::value_error("no column '" + *trace.unknown() + "' in this session");
     interruptible([&](Interruption& interruption) {
       const std::stop_token stop = interruption.stop(), raised = interruption_.stop();
       for (std::int64_t i = 0; i < most && !stop.stop_requested() && !raised.stop_requested();

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from typing import Any, Union
+from typing import Any, ClassVar, Self, Union
 
 from . import _core
 
@@ -20,28 +20,47 @@ def settings_of(values: dict[str, Any]) -> list[str]:
     return texts
 
 
-class Machine:
-    """A machine: its axes, limits and period. Machines do not change; set() returns another one."""
+class _Described:
+    """What a TOML file describes."""
+
+    _make: ClassVar[Any]  # of the core
+    _name: ClassVar[str]
 
     def __init__(self) -> None:
-        """Makes the built-in machine: three axes, a period of 1 ms."""
-        self._core = _core.Machine()
+        self._core = self._make()
 
     @classmethod
-    def _of(cls, core: _core.Machine) -> Machine:
-        machine = cls()
-        machine._core = core
-        return machine
+    def _of(cls, core: Any) -> Self:
+        made = cls()
+        made._core = core
+        return made
 
     @classmethod
-    def load(cls, file: PathLike) -> Machine:
-        """Loads a machine file (TOML). Raises Error."""
-        return cls._of(_core.Machine.load(os.fspath(file)))
+    def load(cls, file: PathLike) -> Self:
+        """Loads such a file. Raises Error."""
+        return cls._of(cls._make.load(os.fspath(file)))
 
     @classmethod
-    def parse(cls, text: str, name: str = "machine") -> Machine:
-        """Reads the text of a machine file; `name` stands for the file in messages."""
-        return cls._of(_core.Machine.parse(text, name))
+    def parse(cls, text: str, name: str = "") -> Self:
+        """Reads the text of such a file; `name` stands for the file in messages. Raises Error."""
+        return cls._of(cls._make.parse(text, name or cls._name))
+
+    def toml(self) -> str:
+        """Returns the text of a complete file, which loads as the same."""
+        text: str = self._core.toml()
+        return text
+
+    def __reduce__(self) -> Any:
+        return type(self).parse, (self.toml(),)
+
+
+class Machine(_Described):
+    """A machine: its axes, limits and period. Machines do not change; set() returns another one.
+
+    Without a file it is the built-in machine: three axes, a period of 1 ms.
+    """
+
+    _make, _name = _core.Machine, "machine"
 
     def set(self, **values: Any) -> Machine:
         """Returns the machine with other values, as `--set` of the command takes them.
@@ -53,11 +72,7 @@ class Machine:
     @property
     def period(self) -> float:
         """The time from one row to the next, s."""
-        return self._core.period
-
-    def toml(self) -> str:
-        """Returns a complete machine file, which loads as the same machine."""
-        return self._core.toml()
+        return float(self._core.period)
 
     def __repr__(self) -> str:
         name = re.search(r'^name = "(.*)"', self.toml(), re.M)
@@ -69,39 +84,14 @@ class Machine:
     def __hash__(self) -> int:
         return hash(self.toml())
 
-    def __reduce__(self) -> Any:
-        return Machine.parse, (self.toml(),)
 
+class State(_Described):
+    """What programs leave on a machine: work offsets, tools, variables, as a state file holds it.
 
-class State:
-    """What programs leave on a machine: work offsets, tools, variables, as a state file holds it."""
+    Without a file it is that of a machine on which nothing has been set.
+    """
 
-    def __init__(self) -> None:
-        """Makes the state of a machine on which nothing has been set."""
-        self._core = _core.State()
-
-    @classmethod
-    def _of(cls, core: _core.State) -> State:
-        state = cls()
-        state._core = core
-        return state
-
-    @classmethod
-    def load(cls, file: PathLike) -> State:
-        """Loads a state file (TOML). Raises Error."""
-        return cls._of(_core.State.load(os.fspath(file)))
-
-    @classmethod
-    def parse(cls, text: str, name: str = "state") -> State:
-        """Reads the text of a state file; `name` stands for the file in messages."""
-        return cls._of(_core.State.parse(text, name))
-
-    def toml(self) -> str:
-        """Returns the text of a state file, which loads as the same state."""
-        return self._core.toml()
+    _make, _name = _core.State, "state"
 
     def __repr__(self) -> str:
         return f"<State of {len(self.toml().splitlines())} lines>"
-
-    def __reduce__(self) -> Any:
-        return State.parse, (self.toml(),)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "hal/machine/machine_confinement.hpp"
 #include "input/program_files.hpp"
 #include "job/preflight.hpp"
 #include "job/terminal.hpp"
@@ -136,7 +137,7 @@ Checked check_once(const Options& options, const ProgramFiles& programs, Termina
 std::vector<std::string> files_of(const Options& options, const ProgramFiles& programs) {
   std::vector<std::string> files = programs.names;
   for (const std::string& part : programs.names)
-    if (!options.names_machine) files.push_back(name_beside(part));
+    if (!options.names_machine) files.push_back(hal::name_beside(part));
   for (const std::string& file : {options.machine_file, options.state})
     if (!file.empty()) files.push_back(file);
   return files;

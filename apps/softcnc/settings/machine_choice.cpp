@@ -3,9 +3,9 @@
 
 #include <sys/stat.h>
 
-#include <filesystem>
 #include <utility>
 
+#include "hal/machine/machine_confinement.hpp"
 #include "settings/file_clash.hpp"
 
 namespace softcnc::app {
@@ -37,16 +37,9 @@ Status check_default_file(const hal::FoundMachine& found, const Options& options
 
 }  // namespace
 
-std::string name_beside(const std::string& part) {
-  return std::filesystem::path(part).replace_extension(".toml");
-}
-
 std::string machine_beside(const std::string& part, const Options& options) {
   if (part == "-") return {};
-  std::string file = name_beside(part);
-  std::error_code ignored;
-  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
-  if (file.ends_with(".state.toml") || !is_there) return {};
+  std::string file = hal::machine_beside(part);
   if (same_file(file, part) || same_file(file, options.state)) return {};
   return file;
 }

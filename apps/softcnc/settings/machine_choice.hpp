@@ -14,13 +14,8 @@
 
 namespace softcnc::app {
 
-/// Returns the name of a machine file beside a part program: PART with the suffix .toml.
-std::string name_beside(const std::string& part);
-
-/// The machine file beside a part program. Empty where nothing has its name, where that is the
-/// program itself or the file that --state names, and for standard input. A name that ends in
-/// .state.toml is that of a state file. What has the name need be no regular file: then
-/// hal::find_machine() refuses it.
+/// The machine file beside a part program, by hal::machine_beside(). Empty where that is the
+/// program itself or the file that --state names, and for standard input.
 std::string machine_beside(const std::string& part, const Options& options);
 
 /// Returns where the machine of a part program comes from.

@@ -2,6 +2,7 @@
 #include "hal/machine/machine_confinement.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -75,6 +76,17 @@ void confine_path(LoadedMachine& loaded, std::vector<Diagnostic>& changes) {
 }
 
 }  // namespace
+
+std::string name_beside(const std::string& part) {
+  return std::filesystem::path(part).replace_extension(".toml");
+}
+
+std::string machine_beside(const std::string& part) {
+  std::string file = name_beside(part);
+  std::error_code ignored;
+  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+  return file.ends_with(".state.toml") || !is_there ? std::string() : file;
+}
 
 std::vector<Diagnostic> confine(LoadedMachine& loaded) {
   std::vector<Diagnostic> changes;

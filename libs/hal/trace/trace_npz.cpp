@@ -15,13 +15,14 @@
 #include "motion/core/disk_backed_vector.hpp"
 
 namespace softcnc::hal {
-namespace {
 
-std::size_t longest_limit() {
+std::size_t longest_limit() noexcept {
   std::size_t longest = 0;
   for (int i = 0; i < kLimits; ++i) longest = std::max(longest, name(static_cast<Limit>(i)).size());
   return longest;
 }
+
+namespace {
 
 /// An array that grows at its end. Its head, which holds its length, comes last: heads of arrays of
 /// one dimension are all of one size.

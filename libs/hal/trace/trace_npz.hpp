@@ -13,6 +13,9 @@ namespace softcnc::hal {
 
 inline constexpr std::size_t kNpzRows = 4096;  // in memory, of writer and reader
 
+/// Returns how many characters a column of limits has.
+std::size_t longest_limit() noexcept;
+
 /// Returns a writer whose columns grow in temporary files without names. The comment of the zip
 /// holds what the comments of a CSV hold.
 std::unique_ptr<TraceWriter> npz_trace(std::unique_ptr<ByteSink> out, const TraceHeader& header,
