@@ -418,6 +418,8 @@ inline constexpr double kSame = 1e-9;
 inline constexpr double kBinds = 0.99;
 // Rounds. Choice: of refinement.
 inline constexpr int kMostRounds = 6;
+// Intervals. Choice: while no more exceed a limit, there may be twice as many rounds.
+inline constexpr std::ptrdiff_t kFewExceed = 2;
 // Choice: the smallest factor on a share in one round.
 inline constexpr double kTightest = 0.8;
 // Of the excess. Choice: by which a share is reduced.

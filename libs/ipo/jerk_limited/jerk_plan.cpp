@@ -46,7 +46,8 @@ class JerkPlan {
       begin_at_[k + 1] = given[k].q;
     }
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
-    for (int round = 0; round < tuning::plan::kMostRounds; ++round) {
+    std::ptrdiff_t exceed = 0;  // intervals
+    for (int round = 0; round < most_rounds(exceed); ++round) {
       const int most = iterations_left();
       if (most <= 0) return std::nullopt;
       const PlanProblem problem(span_, nodes_, ends, shares_);
@@ -55,8 +56,8 @@ class JerkPlan {
       if (!solution.converged) return std::nullopt;
       const std::vector<Ramp> ramps = make_ramps(problem, solution);
       const auto used = used_by(span_, nodes_, problem, ramps);
-      if (std::all_of(used.begin(), used.end(), [](const Used& u) { return u.keeps(); }))
-        return Plan{by_interval(ramps), proven_nodes(ramps)};
+      exceed = std::count_if(used.begin(), used.end(), [](const Used& u) { return !u.keeps(); });
+      if (exceed == 0) return Plan{by_interval(ramps), proven_nodes(ramps)};
       for (std::size_t p = 0; p < nodes_.size(); ++p)
         begin_at_[p] = problem.problem().spline().at_node(p, solution.coefficients).q;
       tighten(used);
@@ -65,6 +66,12 @@ class JerkPlan {
   }
 
  private:
+  /// A limit that is exceeded in a few places alone is nearly kept.
+  static int most_rounds(std::ptrdiff_t exceed) noexcept {
+    return exceed > tuning::plan::kFewExceed ? tuning::plan::kMostRounds
+                                             : 2 * tuning::plan::kMostRounds;
+  }
+
   /// s
   double about_to_last(const SpeedGuess& guess) const noexcept {
     double time = 0;
