@@ -22,7 +22,7 @@ constexpr std::array<const char*, 6> kStatusNames{"running", "waiting", "paused"
 class Session {
  public:
   Session(const api::Machine& machine, const Options& options, bool simulated,
-          const api::AxisVector& start)
+          const std::optional<api::AxisVector>& start)
       : machine_(machine.data().machine) {
     machine_.control.backend = simulated ? BackendKind::sim : BackendKind::none;
     auto backend = hal::open_backend(machine_);
@@ -93,7 +93,8 @@ auto alone(Use use) {
 void add_session(py::module_& module) {
   using Columns = std::optional<Names>;
   py::class_<Session>(module, "Session")
-      .def(py::init<const api::Machine&, const Options&, bool, const api::AxisVector&>())
+      .def(py::init<const api::Machine&, const Options&, bool,
+                    const std::optional<api::AxisVector>&>())
       .def("feed",
            alone<std::string>([](Session& s, const std::string& text) { return s.feed(text); }))
       .def("step",
@@ -108,6 +109,8 @@ void add_session(py::module_& module) {
       .def("abort", alone([](Session& s) { (*s).abort(); }))
       .def("set_feed_override",
            alone<double>([](Session& s, double value) { (*s).set_feed_override(value); }))
+      .def("set_rapid_override",
+           alone<double>([](Session& s, double value) { (*s).set_rapid_override(value); }))
       .def("position", alone([](Session& s) { return api::AxisVector((*s).position()); }))
       .def("status", alone([](Session& s) { return s.status(); }))
       .def("diagnostics", alone([](Session& s) { return s.diagnostics(); }))

@@ -96,6 +96,8 @@ int dispatch(const Options& options) {
       return identify(options);
     case CommandName::machine:
       return machine(options);
+    case CommandName::state:
+      return state(options);
     case CommandName::latency:
       return latency(options);
     case CommandName::pulses:

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,9 +60,9 @@ struct RunOptions {
   std::map<std::string, double> definitions;
   /// What earlier programs have left.
   State state;
-  /// Where the machine stands, mm, in machine coordinates; beyond 1000 m from zero, or where it is
-  /// no number, zero.
-  AxisVector start = AxisVector::Zero();
+  /// Where the machine stands, mm, in machine coordinates. Without it, and beyond 1000 m from zero
+  /// or where it is no number, where the state says; machine zero, if that says nothing.
+  std::optional<AxisVector> start = std::nullopt;
   /// Limits beyond those of the machine.
   std::vector<std::shared_ptr<const Constraint>> constraints;
 };

@@ -50,10 +50,12 @@ class SOFTCNC_API Session {
   /// branch leaves out must come as one text. Returns false, and adds nothing, after end() and
   /// abort(), where the session has ended, and where nothing more can be kept.
   bool feed(std::string_view text);
-  /// After an error, as a control does when its operator has read it: what has been fed and was not
-  /// run is forgotten, modes, offsets and variables are those behind the last line without an
-  /// error, the machine stays where it stands, and more can be fed. A subprogram, a curve over
-  /// several lines and cutter compensation end. Ignored unless the status is `error`.
+  /// After an error, as a control does when its operator has read it, and after the end of a
+  /// program: what has been fed and was not run is forgotten, modes, offsets and variables are
+  /// those behind the last line without an error, the machine stays where it stands, and more can
+  /// be fed. A subprogram, a curve over several lines and cutter compensation end. After abort()
+  /// modes are those at the start of a program. Ignored unless the status is `error`, or `done`
+  /// without end().
   void go_on();
   /// Says that nothing more is fed: an error then ends the session.
   void end() noexcept;
@@ -72,6 +74,8 @@ class SOFTCNC_API Session {
   void resume() noexcept;
   /// Multiplies the programmed feed, up to 2; what is below 0.001 holds. NaN changes nothing.
   void set_feed_override(double feed_override) noexcept;
+  /// Multiplies the speed of rapids, from 0.01 to 1. NaN changes nothing.
+  void set_rapid_override(double rapid_override) noexcept;
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept;
 
@@ -82,8 +86,8 @@ class SOFTCNC_API Session {
   /// Returns where the last row was, mm, in machine coordinates; before the first one, where the
   /// session begins.
   AxisVector position() const noexcept;
-  /// Returns what the program has left so far where the machine is: a session that begins with it
-  /// and at position() goes on from there.
+  /// Returns what the program has left so far where the machine is, with position(): a session that
+  /// begins with it goes on from there.
   State state() const;
 
   /// Returns the names of the backend's columns of a trace, such as "x_act_mm", and their values

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What programs leave on a machine: work offsets, reference points, tools, variables.
+// What programs leave on a machine: where it stands, work offsets, reference points, tools,
+// variables.
 #pragma once
 
 #include <memory>

@@ -54,7 +54,8 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
     channel_.constraints.push_back(constraints_.back().get());
   }
   channel_.state = options.state.data().state;
-  if (is_near(options.start)) channel_.interpreter.start = options.start;
+  if (options.start && is_near(*options.start))
+    channel_.state.position = KeptPosition{*options.start};
   if (program == nullptr) return;
   channel_.interpreter.folder = program->folder();
   channel_.interpreter.called = &program->called();

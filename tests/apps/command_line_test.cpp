@@ -11,7 +11,7 @@ namespace {
 
 const std::string kKnown =
     "; the commands are run, check, blocks, convert, record, replay, diff, report, surface, "
-    "compare, circle, identify, machine, latency, pulses, codes\nRun with --help for more "
+    "compare, circle, identify, machine, state, latency, pulses, codes\nRun with --help for more "
     "information.\n";
 
 }  // namespace

@@ -79,13 +79,14 @@ TEST_CASE("a moment after the end is reported", "[apps][replan]") {
 }
 
 TEST_CASE("events that say nothing, or hold for ever, are wrong usage", "[apps][cli][replan]") {
-  for (const char* word :
-       {"hold", "1", "1:", "-1:hold", "x:hold", "1:holds", "1:override",
-        "1:override=", "1:override=201", "1:override=-1", "1:override=5x", "nan:hold"}) {
+  for (const char* word : {"hold", "1", "1:", "-1:hold", "x:hold", "1:holds", "1:override",
+                           "1:override=", "1:override=201", "1:override=-1", "1:override=5x",
+                           "nan:hold", "1:rapid=0", "1:rapid=101", "1:rapid=", "1:rapids=50"}) {
     CAPTURE(word);
     const Ended ended = call(std::string("run $data/square.nc --at ") + word);
     CHECK(ended.status == 2);
-    CHECK(ended.err.find("--at: takes SECONDS:override=PERCENT (0 to 200), SECONDS:hold or "
+    CHECK(ended.err.find("--at: takes SECONDS:override=PERCENT (0 to 200), SECONDS:rapid=PERCENT "
+                         "(1 to 100), SECONDS:hold or "
                          "SECONDS:resume, not '" +
                          std::string(word) + "'") != std::string::npos);
   }
@@ -98,7 +99,8 @@ TEST_CASE("events that say nothing, or hold for ever, are wrong usage", "[apps][
 }
 
 TEST_CASE("the text of an event reads back as the same", "[apps][replan]") {
-  for (const char* text : {"0.1:override=57", "0:hold", "12.345:resume", "1e-05:override=0.3"}) {
+  for (const char* text :
+       {"0.1:override=57", "0:hold", "12.345:resume", "1e-05:override=0.3", "2:rapid=25"}) {
     const auto event = runtime::parse_event(text);
     REQUIRE(event);
     CHECK(runtime::event_text(*event) == text);

@@ -136,7 +136,7 @@ TEST_CASE("the advice is on the work system that leaves the travel", "[apps][che
 
 TEST_CASE("an origin by --work is on top of the state, and is kept with it", "[apps][work]") {
   const Folder folder;
-  write(folder / "p.nc", "G21 G90\nG0 X1 Y2 Z3\nM2\n");
+  write(folder / "p.nc", "G21 G90\nG0 X1 Y2 Z3\nX0\nM2\n");
   const auto run = [&](const std::string& options) {
     return shell("cd " + (folder / "") + "; $softcnc run -q p.nc --state s.toml " + options);
   };

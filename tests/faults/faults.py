@@ -4,8 +4,8 @@
 
     tests/faults/faults.py SOFTCNC LIBFAULTS.so [--allocations N] [--kills N] [SCENARIO...]
 
-After a fault, whatever the exit status, each file to be written is the old one or the new one, whole; nothing else has
-been left, neither beside them nor in the folder for temporary files; nothing hangs. Status 0 is for new files alone;
+After a fault, whatever the exit status, each file to be written is the old one or the new one, whole (a state file
+may also have the mark of a motion, or the place where that ended before its time); nothing else has been left, neither beside them nor in the folder for temporary files; nothing hangs. Status 0 is for new files alone;
 otherwise it is 5, or 2 where a file that says how to run could not be read, and an error with its code has been shown.
 
 With --kills, runs are killed at moments spread evenly instead: each file is the old or the new one, whole, and later runs
@@ -23,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from dataclasses import dataclass, field
 
 KINDS = ("open", "read", "write", "sync", "rename", "allocation")
@@ -166,6 +167,8 @@ class Bench:
     def is_new(self, name, files):
         if name.endswith(".json"):  # has times
             return name in files and is_json(files[name])
+        if name.endswith(".state.toml"):  # has the mark of a motion, or where it ended before its time
+            return is_whole_state(files.get(name, b""))
         return files.get(name) == self.whole.files[name]
 
 
@@ -181,6 +184,14 @@ def ended(process):
 
 def contents(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def is_whole_state(content):
+    """Whether it is a state file from its first key to its last table."""
+    try:
+        return {"schema", "work", "parameter"} <= tomllib.loads(content.decode()).keys()
+    except ValueError:
+        return False
 
 
 def is_json(content):

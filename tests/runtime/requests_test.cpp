@@ -111,3 +111,29 @@ TEST_CASE("an operator gets the rows that a script with the same requests gets",
     CHECK(largest == 0);
   }
 }
+
+TEST_CASE("an override of rapids slows down rapids alone, and ends where it would",
+          "[runtime][requests]") {
+  Machine machine = without_backend();
+  machine.control.interpolation = GENERATE(Method::arc_length, Method::acc_dec_linear);
+  for (Axis& axis : machine.axes) axis.jerk = GENERATE(0.0, 20'000.0);
+  const auto backend = hal::open_backend(machine);
+  Session session(machine, {}, **backend);
+  REQUIRE(session.feed("G00 X60 Y30\nG01 X30 Y0 F3000\nG00 X0\nM30\n"));
+  session.end();
+  const double fastest = machine.axes[0].velocity;
+  double rapid = 0, feed = 0;
+  Setpoint last;
+  while (const auto row = session.step()) {
+    last = row->setpoint;
+    if (last.period == 150) session.set_rapid_override(0.25);
+    if (last.period == 400) CHECK(last.limit == Limit::override_);
+    if (last.line == 2) feed = std::max(feed, last.v);
+    if (last.line == 3) rapid = std::max(rapid, last.v);
+  }
+  CHECK(rapid == Approx(0.25 * fastest).epsilon(1e-6));
+  if (follows_time(machine.control.interpolation)) CHECK(feed == Approx(50).epsilon(1e-6));
+  CHECK(last.position.norm() < 1e-9);
+  CHECK(session.measured().velocity[0] <= fastest * (1 + 1e-9));
+  session.set_rapid_override(std::nan(""));
+}

@@ -432,21 +432,22 @@ TEST_CASE("a session begins where the machine stands, with what others have left
   const Machine machine = machine_without_backend();
   const auto backend = hal::open_backend(machine);
   ChannelOptions options;
-  options.interpreter.start = AxisVector(3, 4, 5);
+  options.state.position = KeptPosition{AxisVector(3, 4, 5)};
   options.state.work[0].origin = AxisVector(1, 0, 0);
   options.state.parameters[100] = 7;
   Session session(machine, options, **backend);
-  CHECK(session.position() == options.interpreter.start);
+  CHECK(session.position() == options.state.place());
   REQUIRE(session.feed("G91 G01 Y1 F600\n#100=[#100+1]\nG10 L2 P2 X9\nG90 X[#100]\n"));
   session.end();
   std::optional<Row> first;
   while (const auto row = session.step())
     if (!first) first = row;
   REQUIRE(first);
-  CHECK(first->setpoint.position == options.interpreter.start);
+  CHECK(first->setpoint.position == options.state.place());
   CHECK((session.position() - AxisVector(9, 5, 5)).norm() < 1e-9);
   CHECK(session.state().work[1].origin[0] == 9);
   CHECK(session.state().parameters.at(100) == 8);
+  CHECK(session.state().place() == session.position());
 }
 
 TEST_CASE("a rest where nothing has come since the last one adds no row", "[runtime][session]") {

@@ -25,16 +25,19 @@ class Session:
         machine: MachineLike = None,
         *,
         simulated: bool = False,
-        start: ArrayLike = (0.0, 0.0, 0.0),
+        start: ArrayLike | None = None,
         **values: Any,
     ) -> None:
         """Opens a session at `start`, mm in machine coordinates; the rest as for plan().
+
+        Without `start` the machine stands where its state says, or else at machine zero.
 
         simulated: rows have the columns of the simulated mill, as those of simulate().
         """
         options, settings = split(values)
         model, _ = machine_of(None, machine, settings)
-        self._core = _core.Session(model._core, options, simulated, np.asarray(start, float))
+        place = None if start is None else np.asarray(start, float)
+        self._core = _core.Session(model._core, options, simulated, place)
 
     def __repr__(self) -> str:
         return f"<Session, {self.status}, at {self.position.tolist()} mm>"
@@ -81,6 +84,10 @@ class Session:
     def set_feed_override(self, factor: float) -> None:
         """Multiplies the programmed feed, up to 2; what is below 0.001 holds."""
         self._core.set_feed_override(factor)
+
+    def set_rapid_override(self, factor: float) -> None:
+        """Multiplies the speed of rapids, from 0.01 to 1."""
+        self._core.set_rapid_override(factor)
 
     @property
     def status(self) -> str:

@@ -18,6 +18,7 @@ int identify(const Options& options);
 int surface(const Options& options);
 int compare(const Options& options);
 int machine(const Options& options);
+int state(const Options& options);
 int latency(const Options& options);
 int pulses(const Options& options);
 int codes(const Options& options);

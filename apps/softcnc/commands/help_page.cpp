@@ -90,7 +90,7 @@ struct Group {
 };
 
 constexpr Group kGroups[] = {
-    {"Machine", " machine set backend state work "},
+    {"Machine", " machine set backend state assume-position work "},
     {"Program", " subprograms define dialect format block-skip optional-stop "},
     {"Run",
      " feed-override at single-block rest-at-pauses realtime dry-run watch methods phases actual "
@@ -158,6 +158,10 @@ constexpr Examples kExamples[] = {
     {machine,
      {"softcnc machine --machine mill.toml", "softcnc machine --toml -v -o mill.toml",
       "softcnc machine import grbl.txt -o mill.toml"}},
+    {state,
+     {"softcnc state show --state mill.state.toml",
+      "softcnc state set G54 X-200 Y-150 Z-40 --state mill.state.toml",
+      "softcnc state set position X0 Y0 Z0 --state mill.state.toml"}},
     {latency,
      {"softcnc latency", "softcnc latency --seconds 60", "softcnc latency --period-us 250"}},
     {pulses,

@@ -46,6 +46,8 @@ constexpr CommandEntry kCommands[] = {
      "Measure the circles of a run: deviations, reversals, both directions (ISO 230-4)"},
     {CommandName::identify, "identify", "Find the drives of a machine from a trace of its motion"},
     {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
+    {CommandName::state, "state",
+     "Print a state file, or set an offset or the position of the machine in it"},
     {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
     {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
     {CommandName::codes, "codes", "Explain the codes of part programs and of diagnostics"},
@@ -256,8 +258,8 @@ void events(CLI::App& app, const OptionEntry& entry, Options& options) {
              if (!event)
                throw CLI::ValidationError(
                    "--at",
-                   "takes SECONDS:override=PERCENT (0 to 200), SECONDS:hold or "
-                   "SECONDS:resume, not '" +
+                   "takes SECONDS:override=PERCENT (0 to 200), SECONDS:rapid=PERCENT (1 to 100), "
+                   "SECONDS:hold or SECONDS:resume, not '" +
                        text + "'");
              options.events.push_back(*event);
            }
@@ -319,6 +321,15 @@ void import_words(CLI::App& app, const OptionEntry& entry, Options& options) {
          entry.help)
       ->expected(1, 2)
       ->type_name("");
+}
+
+void state_file(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.state, entry.help)->required()->type_name(entry.value);
+}
+
+/// The words "show", or "set" and what is set.
+void state_words(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.action, entry.help)->required()->type_name("");
 }
 
 /// A folder that is not there is a name that is wrong.
@@ -520,6 +531,8 @@ constexpr Commands kPrograms{run, check, blocks, convert, record, report, surfac
 constexpr Commands kReads{run, check, blocks, convert, record, report, surface, compare, diff};
 constexpr Commands kMachine{run,     check,   blocks,   convert, record, replay, report,
                             surface, machine, identify, latency, pulses, diff};
+constexpr Commands kReports{run,     check,   blocks, convert,  record,  replay, report, surface,
+                            compare, machine, state,  identify, latency, pulses, diff};
 constexpr Commands kMachines{run,     check,   blocks,  convert,  record,  replay, report,
                              surface, compare, machine, identify, latency, pulses, diff};
 
@@ -556,6 +569,12 @@ constexpr OptionEntry kOptions[] = {
      "LinuxCNC, "
      "or of what grbl answers to $$",
      import_words},
+    {{state},
+     "ACTION",
+     "",
+     "'show'; or 'set NAME X.. Y.. Z..', NAME being position, G28, G30, or a work system from G54 "
+     "to G59.3 and G54.1P1 to G54.1P300",
+     state_words},
     {{identify},
      "TRACE",
      "",
@@ -609,13 +628,21 @@ constexpr OptionEntry kOptions[] = {
     {{run},
      "--state",
      "FILE.toml",
-     "State file (work offsets, tool table, parameters), read before the run and written after it",
+     "State file (position, work offsets, tool table, parameters), read before the run and written "
+     "after it",
      text<&Options::state>},
     {{check, blocks, convert, record, report, surface, compare, diff},
      "--state",
      "FILE.toml",
-     "State file (work offsets, tool table, parameters) to begin with",
+     "State file (position, work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
+    {{state}, "--state", "FILE.toml", "State file", state_file},
+    {{run, record},
+     "--assume-position",
+     "",
+     "With --state on a port: the machine stands where the state says, its drives have kept it "
+     "there",
+     flag<&Options::assume_position>},
     {kReads, "--work", "SYSTEM=X,Y,Z",
      "Set the origin of a work system before the first line, in mm and machine coordinates, for "
      "example G54=-200,-150,-40 (repeatable; kept by --state)",
@@ -634,8 +661,8 @@ constexpr OptionEntry kOptions[] = {
     {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed, not rapids (default 100)",
      feed_override},
     {kRuns, "--at", "SECONDS:WHAT",
-     "Change the feed override, hold or resume during the run, for example 1.5:override=50 or "
-     "2:hold (repeatable)",
+     "Change the override of the feed or of rapids, hold or resume during the run, for example "
+     "1.5:override=50, 1.5:rapid=25 or 2:hold (repeatable)",
      events},
     {kReads, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
     {kReads, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
@@ -822,14 +849,14 @@ constexpr OptionEntry kOptions[] = {
      "",
      "Print nothing but diagnostics and figures",
      flag<&Options::quiet>},
-    {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
+    {kReports, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
     {{run, check, record, replay, report, surface, compare, diff},
      "--progress",
      "",
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",
      progress},
-    {kMachines, "-q,--quiet", "", "Print nothing but diagnostics", flag<&Options::quiet>},
+    {kReports, "-q,--quiet", "", "Print nothing but diagnostics", flag<&Options::quiet>},
     {kRuns, "-v,--verbose", "",
      "Print more: times by limit and tool, drives, counts, contour error, jerk, cost", verbose},
     {{check}, "-v,--verbose", "", "Print time and length of each program to stderr", verbose},

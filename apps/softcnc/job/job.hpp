@@ -13,6 +13,7 @@
 #include "runtime/run/judge.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/outcome.hpp"
+#include "settings/machine_memory.hpp"
 #include "settings/options.hpp"
 
 namespace softcnc::app {
@@ -23,6 +24,7 @@ struct Job {
   Machine machine;
   std::string machine_file;  // beside the program; empty: its machine is another one
   runtime::ChannelOptions options;
+  MachineMemory memory = {};  // of a command that keeps no state: without a file
 };
 Result<Job> open_job(const Options& options);
 

@@ -12,6 +12,7 @@
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
 #include "runtime/check/corner_cost.hpp"
+#include "runtime/operator/position_status.hpp"
 #include "runtime/run/run.hpp"
 #include "runtime/sinks/trace_rows.hpp"
 #include "settings/file_clash.hpp"
@@ -23,11 +24,6 @@ namespace {
 WrittenFile backend_output(const Machine& machine) {
   const bool is_edges = machine.control.backend == BackendKind::stepdir;
   return {is_edges ? "edges" : "rows", backend_file(machine).second};
-}
-
-/// Whether a machine outside softcnc may be moved.
-bool is_real(BackendKind backend) {
-  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
 }
 
 bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
@@ -43,11 +39,14 @@ class JobRunner {
   JobRunner(Job& job, const Options& options, Messages& messages, Terminal& terminal)
       : job_(job), options_(options), messages_(messages), terminal_(terminal) {}
 
-  JobResult move(const TraceTarget& trace, double total);
+  /// `expected` is the outcome of the pre-flight.
+  JobResult move(const TraceTarget& trace, const runtime::Outcome& expected);
 
  private:
   JobResult refused(const Diagnostic& diagnostic) const;
   void note_missing_fifo();
+  Status mark_motion(const runtime::Outcome& expected);
+  void keep_state();
   Diagnostics::Sink sink();
   void run(hal::Backend& backend, runtime::TraceRows& rows);
   bool in_real_time() const;
@@ -85,7 +84,19 @@ void JobRunner::note_missing_fifo() {
                   .file = file});
 }
 
-JobResult JobRunner::move(const TraceTarget& trace, double total) {
+/// A program without motion leaves the machine where it is.
+Status JobRunner::mark_motion(const runtime::Outcome& expected) {
+  const bool stays = expected.end == runtime::Outcome::End::done && expected.last.s == 0;
+  return stays ? Status() : job_.memory.mark_motion(job_.options.state);
+}
+
+void JobRunner::keep_state() {
+  const auto kept = job_.memory.keep(result_.outcome.state);
+  if (!kept) result_.status = worse_status(result_.status, messages_.fail(kept.error()));
+  if (kept && *kept) result_.written.push_back({"state", job_.memory.file()});
+}
+
+JobResult JobRunner::move(const TraceTarget& trace, const runtime::Outcome& expected) {
   note_missing_fifo();
   auto backend = hal::open_backend(
       options_.dry_run ? runtime::without_backend(job_.machine) : job_.machine, open_player);
@@ -95,14 +106,17 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
                                : runtime::open_trace(trace.file, job_.program, job_.machine,
                                                      **backend, options_.columns, patience());
   if (!rows) return refused(rows.error());
-  if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
-  if (in_real_time() || (!options_.dry_run && is_real(job_.machine.control.backend)))
+  if (const Status marked = mark_motion(expected); !marked) return refused(marked.error());
+  if (!options_.dry_run)
+    terminal_.begin_motion(runtime::moves_machine(job_.machine.control.backend));
+  if (in_real_time() || (!options_.dry_run && runtime::moves_machine(job_.machine.control.backend)))
     terminal_.keep_the_clock();
-  terminal_.begin(options_.dry_run ? "planning" : "running", total, job_.program.size());
+  terminal_.begin(options_.dry_run ? "planning" : "running", expected.time, job_.program.size());
   result_.moved = true;
   run(**backend, *rows);
   close(**backend);
   close(*rows, trace.file);
+  keep_state();
   return std::move(result_);
 }
 
@@ -150,7 +164,7 @@ bool JobRunner::in_real_time() const {
 /// A machine that moves by the clock waits for nobody: half a second is planned ahead.
 hal::Patience JobRunner::patience() const {
   constexpr int kOfTheClock = 200;  // ms
-  const bool waits = !in_real_time() && !is_real(job_.machine.control.backend);
+  const bool waits = !in_real_time() && !runtime::moves_machine(job_.machine.control.backend);
   return {terminal_.stop(), waits ? -1 : kOfTheClock};
 }
 
@@ -230,8 +244,9 @@ JobResult run_job(Job& job, const Options& options, const TraceTarget& trace) {
   if (!options.dry_run) result = check_first(job, messages, terminal, expected);
   if (result.status == 0) {
     if (may_ask(options))
-      terminal.wait_at_stops(options.realtime || is_real(job.machine.control.backend));
-    result = JobRunner(job, options, messages, terminal).move(trace, expected.time);
+      terminal.wait_at_stops(options.realtime ||
+                             runtime::moves_machine(job.machine.control.backend));
+    result = JobRunner(job, options, messages, terminal).move(trace, expected);
     if (!options.dry_run) result.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
     if (result.moved) explain("run", result.outcome);
   }

@@ -10,6 +10,7 @@
 
 #include "hal/files/output_file.hpp"
 #include "settings/machine_choice.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -88,9 +89,8 @@ std::string file_clash(const Options& options, const Machine& machine) {
 }
 
 std::vector<std::string> written_files(const Options& options, const Machine& machine) {
-  const bool writes_state = options.command == CommandName::run && !options.dry_run;
-  return {options.trace, options.report, options.output, writes_state ? options.state : "",
-          written_by(machine).name};
+  return {options.trace, options.report, options.output,
+          keeps_state(options, machine) ? options.state : "", written_by(machine).name};
 }
 
 }  // namespace softcnc::app

@@ -9,6 +9,7 @@
 
 #include "hal/machine/state_file.hpp"
 #include "hal/machine/state_names.hpp"
+#include "runtime/operator/position_status.hpp"
 
 namespace softcnc::app {
 
@@ -29,8 +30,9 @@ Result<MachineState> read_state(const std::string& file, Messages& messages) {
   return MachineState();
 }
 
-/// "G54.1P7" and "g54.1 p7" as they stand in a state file.
-std::optional<int> index_of(std::string_view word) {
+}  // namespace
+
+std::optional<int> parse_work_system(std::string_view word) {
   std::string name;
   for (const char c : word) {
     if (c == ' ') continue;
@@ -41,7 +43,7 @@ std::optional<int> index_of(std::string_view word) {
   return hal::system_index(name);
 }
 
-std::optional<double> number_of(std::string_view text) {
+std::optional<double> parse_mm(std::string_view text) {
   double mm = 0;
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mm);
@@ -49,18 +51,16 @@ std::optional<double> number_of(std::string_view text) {
   return whole && is_near(mm) ? std::optional(mm) : std::nullopt;
 }
 
-}  // namespace
-
 std::optional<WorkOrigin> parse_work_origin(std::string_view text) {
   const std::size_t sign = text.find('=');
-  const auto system = index_of(text.substr(0, sign));
+  const auto system = parse_work_system(text.substr(0, sign));
   if (sign == std::string_view::npos || !system) return std::nullopt;
   WorkOrigin work{*system, {}};
   std::string_view rest = text.substr(sign + 1);
   for (std::optional<double>& axis : work.origin) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
     const std::string_view number = rest.substr(0, comma);
-    if (!number.empty() && !(axis = number_of(number))) return std::nullopt;
+    if (!number.empty() && !(axis = parse_mm(number))) return std::nullopt;
     if (comma == rest.size()) return text.back() == '=' ? std::nullopt : std::optional(work);
     rest.remove_prefix(comma + 1);
   }
@@ -75,20 +75,37 @@ Result<MachineState> open_state(const Options& options, Messages& messages) {
       if (work.origin[axis])
         state->work_system_entry(work.system).origin[static_cast<Eigen::Index>(axis)] =
             *work.origin[axis];
+  const bool is_told = options.command == CommandName::state ||
+                       (options.command == CommandName::run && !options.dry_run);
+  if (const auto warning = runtime::position_warning(*state, options.state); warning && !is_told)
+    messages.show(*warning);
   return state;
 }
 
-Result<MachineMemory> MachineMemory::open(const std::string& file,
-                                          std::optional<MachineState> before) {
-  if (file.empty()) return MachineMemory(nullptr, std::move(before));
+bool keeps_state(const Options& options, const Machine& machine) {
+  if (options.state.empty() || options.dry_run) return false;
+  return options.command == CommandName::run || (options.command == CommandName::record &&
+                                                 runtime::moves_machine(machine.control.backend));
+}
+
+Result<MachineMemory> MachineMemory::open(const std::string& file) {
+  auto lock = hal::FileLock::take(file);
+  if (!lock) return tl::make_unexpected(std::move(lock.error()));
   auto output = hal::OutputFile::open(file);
   if (!output) return tl::make_unexpected(std::move(output.error()));
-  return MachineMemory(std::move(*output), std::move(before));
+  return MachineMemory(file, std::move(*lock), std::move(*output));
+}
+
+Status MachineMemory::mark_motion(MachineState before) {
+  if (!file_) return {};
+  before.position = KeptPosition{before.place(), true};
+  in_file_.reset();
+  return hal::write_file(name_, hal::state_toml(before));
 }
 
 Result<bool> MachineMemory::keep(const MachineState& state) {
   const std::string text = hal::state_toml(state);
-  if (!file_ || (before_ && text == hal::state_toml(*before_))) return false;
+  if (!file_ || (in_file_ && text == hal::state_toml(*in_file_))) return false;
   Status written = file_->write(text);
   if (written) written = file_->finish();
   if (!written) return tl::make_unexpected(std::move(written.error()));

@@ -35,6 +35,7 @@ enum class CommandName : std::uint8_t {
   compare,
   identify,
   machine,
+  state,
   latency,
   pulses,
   codes,
@@ -60,6 +61,8 @@ struct Options {
   std::vector<std::string> machine_files;  // compare: instead of machine_file, each as there
   std::vector<std::string> settings;       // KEY=VALUE, on top of it
   std::string state;                       // file; empty: none
+  bool assume_position = false;            // run, record: the machine stands where it says
+  std::vector<std::string> action;         // state: "show", or "set" and what is set
   std::vector<WorkOrigin> work;            // of --work, on top of it
 
   bool toml = false;                         // machine: as a machine file

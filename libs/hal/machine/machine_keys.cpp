@@ -198,6 +198,8 @@ const MachineKey kMachineKeys[] = {
      NumberKey{in_part<&Machine::spindle, &Spindle::min_rpm>, unconverted, unconverted, rate_or_0(1e6)}},
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
      NumberKey{in_part<&Machine::spindle, &Spindle::max_rpm>, unconverted, unconverted, rate_or_0(1e6)}},
+    {"spindle.acceleration_rpm_s", "rpm/s", "after M03, M04 and S the next cutting move waits at rest until the spindle has reached its speed; 0: at once",
+     NumberKey{in_part<&Machine::spindle, &Spindle::acceleration>, unconverted, unconverted, rate_or_0(1e7)}},
 
     {"surface.model", "", "model that keeps the roughness a program asks for: cutting edges simulated on the ball, or the formulas of paper 004",
      choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},

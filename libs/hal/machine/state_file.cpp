@@ -23,8 +23,7 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr std::array<std::string_view, 2> kFurtherHomes{"g30_p3", "g30_p4"};
-constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
+constexpr int kLastTool = 999'999'999;  // the longest number that T takes
 
 /// Where a number of the file has its place in a state.
 struct StateSlot {
@@ -60,6 +59,11 @@ std::optional<StateSlot> parameter_slot(MachineState& state, std::string_view ke
   return StateSlot{&state.parameters[*number], unconverted, std::numeric_limits<double>::max()};
 }
 
+KeptPosition& kept_position(MachineState& state) {
+  if (!state.position) state.position.emplace();
+  return *state.position;
+}
+
 /// The place of G30 P3 and P4, which is known once the file names one of its axes.
 std::optional<StateSlot> further_home_slot(std::optional<AxisVector>& home, std::string_view key) {
   AxisVector none;
@@ -74,6 +78,9 @@ std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
   const auto dot = std::min(path.rfind('.'), path.size());
   const std::string_view table = path.substr(0, dot),
                          key = path.substr(std::min(dot + 1, path.size()));
+  AxisVector none;
+  if (table == "position" && axis_slot(none, key))
+    return axis_slot(kept_position(state).place, key);
   if (table == "g92") return axis_slot(state.shift, key);
   if (table == "g28") return axis_slot(state.home, key);
   if (table == "g30") return axis_slot(state.second_home, key);
@@ -86,8 +93,8 @@ std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
 }
 
 bool is_table(std::string_view path) {
-  constexpr std::array<std::string_view, 6> kTables{"work", "g92",  "g28",
-                                                    "g30",  "tool", "parameter"};
+  constexpr std::array<std::string_view, 7> kTables{"position", "work", "g92",      "g28",
+                                                    "g30",      "tool", "parameter"};
   return index_in(kTables, path) || index_in(kFurtherHomes, path) ||
          system_index(without(path, "work.")) || number_of(without(path, "tool."));
 }
@@ -107,6 +114,7 @@ class StateReader {
   void take(const TomlEntry& entry);
   void take_value(const TomlEntry& entry);
   void take_number(const TomlEntry& entry);
+  void take_tool(const TomlEntry& entry);
   bool is_new(const TomlEntry& entry);
   std::optional<int> work_system(const TomlEntry& entry);
   std::optional<int> word(const TomlEntry& entry, std::span<const std::string_view> words);
@@ -165,6 +173,10 @@ void StateReader::take_value(const TomlEntry& entry) {
     state_.active = work_system(entry).value_or(0);
   } else if (entry.path == "g92_in_force") {
     state_.shift_on = word(entry, kNoYes).value_or(0) == 1;
+  } else if (entry.path == "position.in_motion") {
+    kept_position(state_).in_motion = word(entry, kNoYes).value_or(0) == 1;
+  } else if (entry.path == "tool_in_spindle") {
+    take_tool(entry);
   } else if (is_table(entry.path)) {
     if (!entry.table) fail(Code::SC7004, entry.value_pos, entry.path + " must be a table");
   } else {
@@ -209,6 +221,16 @@ void StateReader::take_number(const TomlEntry& entry) {
   *slot->place = slot->to_internal(*value + 0.0);
 }
 
+void StateReader::take_tool(const TomlEntry& entry) {
+  const auto number = as_number(entry.value);
+  if (!number) return fail(Code::SC7004, entry.value_pos, entry.path + " takes a number");
+  if (!(*number >= 0 && *number <= kLastTool) || *number != std::floor(*number))
+    return fail(Code::SC7005, entry.value_pos,
+                entry.path + " must be a whole number from 0 to " + std::to_string(kLastTool) +
+                    ", not " + number_text(*number));
+  state_.loaded_tool = static_cast<int>(*number);
+}
+
 std::optional<int> StateReader::work_system(const TomlEntry& entry) {
   const auto* given = std::get_if<std::string>(&entry.value);
   const auto index = given ? system_index(*given) : std::nullopt;
@@ -230,30 +252,6 @@ std::optional<int> StateReader::word(const TomlEntry& entry,
   return index;
 }
 
-std::string section(const std::string& name) { return "\n[" + name + "]\n"; }
-
-std::string number_line(const std::string& key, double value) {
-  return key + " = " + number_text(value) + '\n';
-}
-
-std::string axis_lines(const AxisVector& vector) {
-  std::string text;
-  for (int axis = 0; axis < kAxes; ++axis)
-    text += number_line(axis_name(axis) + "_mm", vector[axis]);
-  return text;
-}
-
-std::string work_text(const std::string& name, const WorkOffset& work) {
-  return section("work." + toml_string(name)) + axis_lines(work.origin) +
-         "rotation_deg = " + scaled_text(work.rotation, rad_from_deg, deg_from_rad) + '\n';
-}
-
-std::string tool_text(int number, const ToolOffset& tool) {
-  return section("tool." + std::to_string(number)) + axis_lines(tool.length) +
-         number_line("radius_mm", tool.radius) + number_line("length_wear_mm", tool.length_wear) +
-         number_line("radius_wear_mm", tool.radius_wear);
-}
-
 }  // namespace
 
 StateOrErrors load_state(const std::string& file) {
@@ -264,28 +262,6 @@ StateOrErrors load_state(const std::string& file) {
 
 StateOrErrors parse_state(const std::string& text, const std::string& name) {
   return StateReader(text, name).read();
-}
-
-std::string state_toml(const MachineState& state) {
-  std::string text = "# What programs have left on the machine. softcnc run --state writes it.\n";
-  text += number_line("schema", kStateSchema);
-  text += "active = " + toml_string(system_name(state.active)) + '\n';
-  text += "g92_in_force = " + toml_string(kNoYes[state.shift_on ? 1 : 0]) + '\n';
-  text += section("g92") + axis_lines(state.shift);
-  text += section("g28") + axis_lines(state.home);
-  text += section("g30") + axis_lines(state.second_home);
-  for (std::size_t i = 0; i < kFurtherHomes.size(); ++i)
-    if (const auto& home = state.further_homes[i])
-      text += section(std::string(kFurtherHomes[i])) + axis_lines(*home);
-  for (int i = 0; i < kWorkSystems; ++i) text += work_text(system_name(i), state.work_system(i));
-  for (const auto& [number, work] : state.further_work)
-    if (work != WorkOffset{}) text += work_text(system_name(kWorkSystems + number - 1), work);
-  for (const auto& [number, tool] : state.tools) text += tool_text(number, tool);
-  text += section("parameter");
-  for (const auto& [number, value] : state.parameters)
-    if (value != 0) text += number_line(std::to_string(number), value);
-  for (const auto& [name, value] : state.globals) text += number_line(toml_key(name), value);
-  return text;
 }
 
 }  // namespace softcnc::hal

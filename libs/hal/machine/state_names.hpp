@@ -16,6 +16,9 @@ namespace softcnc::hal {
 inline constexpr std::array<std::string_view, kWorkSystems> kWorkNames{
     "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
 
+inline constexpr std::array<std::string_view, 2> kFurtherHomes{"g30_p3", "g30_p4"};
+inline constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
+
 /// Returns the index of a word among others; nothing if it is none of them.
 template <typename Words>
 std::optional<int> index_in(const Words& words, std::string_view word) {

@@ -35,13 +35,13 @@ class Borrowed final : public Constraint {
 /// The list: whoever adds a reason to be slow adds a line. A constraint that the machine does not
 /// have is null. Corners are the one reason that no point of the path shows:
 /// path/corner_limits.cpp.
-ConstraintList::ConstraintList(const Machine& machine, double feed_override,
+ConstraintList::ConstraintList(const Machine& machine, const Overrides& overrides,
                                const FurtherConstraints& further)
     : limits_(limits_of(machine)), contour_(contour_limit(machine)) {
   const auto add = [](List& list, std::unique_ptr<Constraint> constraint) {
     if (constraint) list.push_back(std::move(constraint));
   };
-  add(velocities_, make_feed_limit(machine, feed_override));
+  add(velocities_, make_feed_limit(machine, overrides));
   add(velocities_, make_axis_velocity(machine));
   add(velocities_, make_pulse_rate(machine));
   add(velocities_, make_chord_error(machine));
@@ -60,8 +60,8 @@ ConstraintList::ConstraintList(const Machine& machine, double feed_override,
       centripetal_ = centripetal_.cwiseMin(constraint->centripetal_limits());
 }
 
-void ConstraintList::set_feed_override(const Machine& machine, double feed_override) {
-  velocities_.front() = make_feed_limit(machine, feed_override);
+void ConstraintList::set_overrides(const Machine& machine, const Overrides& overrides) {
+  velocities_.front() = make_feed_limit(machine, overrides);
   sort_limits();
 }
 

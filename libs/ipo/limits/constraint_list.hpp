@@ -7,6 +7,7 @@
 
 #include "ipo/limits/constraint.hpp"
 #include "ipo/limits/contour_limit.hpp"
+#include "ipo/limits/overrides.hpp"
 
 namespace softcnc::ipo {
 
@@ -15,12 +16,13 @@ using FurtherConstraints = std::vector<const Constraint*>;
 
 class ConstraintList {
  public:
-  /// `feed_override` multiplies the programmed feed (1: as programmed), never a machine limit.
-  ConstraintList(const Machine& machine, double feed_override,
+  /// The overrides multiply the programmed feed (1: as programmed) and rapids, never a machine
+  /// limit.
+  ConstraintList(const Machine& machine, const Overrides& overrides,
                  const FurtherConstraints& further = {});
 
   /// Takes effect for everything that is evaluated from now on.
-  void set_feed_override(const Machine& machine, double feed_override);
+  void set_overrides(const Machine& machine, const Overrides& overrides);
 
   const PlannerLimits& limits() const noexcept { return limits_; }
   bool limits_jerk() const noexcept { return !jerks_.empty(); }
@@ -67,7 +69,10 @@ class ConstraintList {
   AxisVector centripetal_;
 };
 
-std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);
+std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, const Overrides& overrides);
+
+/// Returns the speed of a rapid, mm/s, at which an axis has its velocity limit where it begins.
+double fastest_rapid(const Move& move, const Machine& machine) noexcept;
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
 std::unique_ptr<Constraint> make_contour_error(const std::optional<ContourLimit>& limit);

@@ -151,7 +151,7 @@ Planner::Found Planner::find_next(bool parts) {
   if (pending_.empty() || feed_.halts()) return Found::nothing;
   if (pending_.front().move()) return run_move(parts);
   if (const Dwell* dwell = std::get_if<Dwell>(&pending_.front().block.what))
-    pending_.front().profile.add_rest(dwell->duration);
+    pending_.front().profile.add_rest(spindle_.time_left(*dwell, t_));
   return Found::all;
 }
 
@@ -239,6 +239,7 @@ TimedBlock Planner::take() {
   timed.s_start = s_;
   t_ = timed.t_end();
   if (const Move* move = timed.move()) s_ += length(move->path);
+  spindle_.pass(timed.block, t_);
   if (given_ == 0) pulses_.attach(timed);
   given_ = 0;
   return timed;

@@ -11,6 +11,7 @@
 #include "ipo/jerk_limited/horizon.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/planner/feed_control.hpp"
+#include "ipo/planner/spindle_changes.hpp"
 #include "ipo/planner/stop.hpp"
 #include "ipo/planner/unplanned_feed.hpp"
 #include "ipo/queue/block_queue.hpp"
@@ -113,17 +114,18 @@ class Planner {
   double laid_ = 0;          // mm of the first of them that are pending already
   std::size_t given_ = 0;    // pieces of the first pending one that have left already
   PlannerCounts counts_;
-  std::size_t settled_ = 0;        // intervals at the front of the window whose speeds are final
-  std::size_t last_size_ = 0;      // unsettled intervals after the last passes
-  double t_ = 0, s_ = 0;           // where the first pending block starts
+  std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
+  std::size_t last_size_ = 0;  // unsettled intervals after the last passes
+  double t_ = 0, s_ = 0;       // where the first pending block starts
+  SpindleChanges spindle_;
   double last_rest_ = -1;          // when the machine last rested at a turn
   RestBefore rest_ = Limit::stop;  // before the next move
   bool finished_ = false;
   bool resting_ = false;  // at the end of what has been pushed
   bool to_rest_ = false;  // at the end of what is pending, whatever follows
   FeedControl feed_;
-  double running_;                      // feed override with which the machine last continued
-  double ceiling_;                      // the highest one from which it may still be slowing down
+  Overrides running_;                   // overrides with which the machine last continued
+  Overrides ceiling_;                   // the highest ones from which it may still be slowing down
   double begun_ = 0;                    // mm of path where the last plan began,
   double slow_until_ = 0;               // and where the machine is as slow as that plan requires
   std::vector<Profile> stop_profiles_;  // from there to rest, until slowing down is planned

@@ -14,7 +14,7 @@ namespace {
 /// A dwell that has begun lasts for what is left of it.
 void shorten_dwell(TimedBlock& present, double t) {
   if (Dwell* dwell = std::get_if<Dwell>(&present.block.what))
-    dwell->duration = std::max(present.t_end() - t, 0.0);
+    *dwell = {std::max(present.t_end() - t, 0.0)};
 }
 
 bool at_end(const TimedBlock& timed, double s) {
@@ -42,7 +42,7 @@ std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, do
   if (!feed_.halts()) shorten_dwell(rest.blocks[rest.passed], t);
   const TimedBlock& present = rest.blocks[rest.passed];
   const State now = without_rounding(state, present);
-  ceiling_ = present.s_start + now.s < slow_until_ ? std::max(ceiling_, running_) : running_;
+  ceiling_ = present.s_start + now.s < slow_until_ ? larger_ones(ceiling_, running_) : running_;
   if (asked.halts())
     halt(rest, now, t, asked);
   else
@@ -57,6 +57,7 @@ void Planner::take_back(PartlyPassed& rest, double s, double t) {
   s_ = present.s_start;
   begun_ = s_ + s;
   last_rest_ = std::min(last_rest_, t);
+  spindle_.go_back_to(t);
   if (std::exchange(given_, 0) > 0) pending_.pop_front();  // it stands in the queue
   std::move(ready_.rbegin(), ready_.rend(), std::front_inserter(pending_));
   ready_.clear();
@@ -132,7 +133,7 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
 
 /// Stops on the path; what lies after the stop waits.
 void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
-  constraints_.set_feed_override(machine_, ceiling_);
+  constraints_.set_overrides(machine_, ceiling_);
   const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by());
   take_back(rest, stop.from.s, t);
   pending_.front().profile = stop.before;
@@ -149,14 +150,14 @@ void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedCon
 /// Continues with the requested feed, as soon as the machine is slow enough for it.
 void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
   const bool moves = now.v > 0;
-  constraints_.set_feed_override(
-      machine_, moves ? std::max(ceiling_, asked.feed_override) : asked.feed_override);
+  const Overrides wanted = asked.overrides();
+  constraints_.set_overrides(machine_, moves ? larger_ones(ceiling_, wanted) : wanted);
   StopAhead stop{now, {}, {}};
   if (moves) stop = stop_ahead(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
   stop_profiles_ = std::move(stop.profiles);
   feed_ = asked;
   take_back(rest, stop.from.s, t);
-  slower_ = moves ? make_feed_limit(machine_, asked.feed_override) : nullptr;
+  slower_ = moves ? make_feed_limit(machine_, wanted) : nullptr;
   lay_out(rest.blocks, stop.from.s);
   window_->set_front(stop.from.v, stop.from.a);
   if (moves) window_->slow_down(distance_to_rest(stop.from.s));
@@ -167,7 +168,7 @@ void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedCo
     ready_.push_back(take());
     if (!stop_profiles_.empty()) stop_profiles_.erase(stop_profiles_.begin());
   }
-  running_ = asked.feed_override;
+  running_ = wanted;
   slow_until_ = moves ? kUnlimited : 0;
 }
 
@@ -217,7 +218,7 @@ bool Planner::stop_first() {
   }
   slow_until_ = s_ + s;
   slower_.reset();
-  constraints_.set_feed_override(machine_, feed_.feed_override);
+  constraints_.set_overrides(machine_, feed_.overrides());
   lay_out(ready_, s);
   return ready_.empty() && settle();
 }

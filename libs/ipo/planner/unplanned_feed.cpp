@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/methods/acc_dec.hpp"
 
 namespace softcnc::ipo {
@@ -26,15 +27,16 @@ std::optional<TimedBlock> UnplannedFeed::pop() {
   } else {
     wait_for_setpoints(next.profile);
     if (const Dwell* dwell = std::get_if<Dwell>(&next.block.what))
-      next.profile.add_rest(dwell->duration);
+      next.profile.add_rest(spindle_.time_left(*dwell, t_ + next.profile.duration()));
   }
   return take();
 }
 
 void UnplannedFeed::time_move(const Move& move, Profile& profile) {
-  const double speed = constant_speed(move, machine_, feed_.feed_override);
+  const double speed = constant_speed(move, machine_, feed_.overrides());
   const bool slower = move.feed_override && feed_.feed_override < 1;
-  const Limit limit = move.rapid ? Limit::rapid : slower ? Limit::override_ : Limit::feed;
+  const Limit rapid = feed_.rapid_override < 1 ? Limit::override_ : Limit::rapid;
+  const Limit limit = move.rapid ? rapid : slower ? Limit::override_ : Limit::feed;
   const double end = length(move.path);
   if (begin_ > 0) profile.rest_at(begin_);
   if (begin_ < end) profile.add_piece(begin_, end, speed, speed, limit);
@@ -53,6 +55,7 @@ TimedBlock UnplannedFeed::take() {
   timed.s_start = s_;
   t_ = timed.t_end();
   if (const Move* move = timed.move()) s_ += length(move->path);
+  spindle_.pass(timed.block, t_);
   begin_ = 0;
   return timed;
 }
@@ -64,7 +67,8 @@ std::deque<TimedBlock> UnplannedFeed::replan(PartlyPassed rest, const State& now
     pending_.push_front(std::move(rest.blocks.back()));
   TimedBlock& present = pending_.front();
   Dwell* dwell = std::get_if<Dwell>(&present.block.what);
-  if (dwell && !feed_.halts()) dwell->duration = std::max(present.t_end() - t, 0.0);
+  if (dwell && !feed_.halts()) *dwell = {std::max(present.t_end() - t, 0.0)};
+  spindle_.go_back_to(t);
   for (TimedBlock& block : pending_) block.profile = {};
   t_ = t;
   s_ = present.s_start;
@@ -78,18 +82,11 @@ std::deque<TimedBlock> UnplannedFeed::replan(PartlyPassed rest, const State& now
   return std::move(rest.blocks);
 }
 
-double constant_speed(const Move& move, const Machine& machine, double feed_override) noexcept {
-  if (!move.rapid) {
-    const double asked = asked_feed(move, feed_override);
-    return machine.limits.feed > 0 ? std::min(asked, machine.limits.feed) : asked;
-  }
-  const AxisVector direction = at(move.path, 0).dq;
-  double speed = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kAxes; ++i)
-    if (direction[i] != 0)
-      speed = std::min(speed,
-                       machine.axes[static_cast<std::size_t>(i)].velocity / std::abs(direction[i]));
-  return speed;
+double constant_speed(const Move& move, const Machine& machine,
+                      const Overrides& overrides) noexcept {
+  if (move.rapid) return overrides.rapid * fastest_rapid(move, machine);
+  const double asked = asked_feed(move, overrides.feed);
+  return machine.limits.feed > 0 ? std::min(asked, machine.limits.feed) : asked;
 }
 
 }  // namespace softcnc::ipo

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ipo/planner/feed_control.hpp"
+#include "ipo/planner/spindle_changes.hpp"
 #include "ipo/queue/block_queue.hpp"
 #include "motion/model/machine.hpp"
 
@@ -39,12 +40,14 @@ class UnplannedFeed {
   FeedControl feed_;
   std::deque<TimedBlock> pending_;
   std::optional<TimedBlock> held_;
-  double begin_ = 0;       // mm of the first pending block that has been run
-  double t_ = 0, s_ = 0;   // where the first pending block starts
+  double begin_ = 0;      // mm of the first pending block that has been run
+  double t_ = 0, s_ = 0;  // where the first pending block starts
+  SpindleChanges spindle_;
   bool arriving_ = false;  // setpoints may lag
 };
 
-/// Returns the speed, mm/s, of a move at its feed with its override.
-double constant_speed(const Move& move, const Machine& machine, double feed_override) noexcept;
+/// Returns the speed, mm/s, of a move at its feed, or of a rapid, with its override.
+double constant_speed(const Move& move, const Machine& machine,
+                      const Overrides& overrides) noexcept;
 
 }  // namespace softcnc::ipo

@@ -26,13 +26,13 @@ bool is_alone(Task& task) {
 
 /// What the machine file says of the tool in the spindle.
 Tool tool_in_use(const Task& task) {
-  const auto found = task.machine.tools.find(task.modal.loaded_tool.value_or(0));
+  const auto found = task.machine.tools.find(task.modal.state.loaded_tool.value_or(0));
   return found == task.machine.tools.end() ? Tool{} : found->second;
 }
 
 /// A word left out, which the machine file does not know either.
 void report_unknown(Task& task, char letter, const char* what) {
-  const int tool = task.modal.loaded_tool.value_or(0);
+  const int tool = task.modal.state.loaded_tool.value_or(0);
   const std::string where = tool == 0
                                 ? std::string("no tool is in the spindle")
                                 : "the machine file has none for tool " + std::to_string(tool);

@@ -115,7 +115,7 @@ void change_tool(Task& task) {
   task.modal.surface.reset();
   if (task.modal.tool) {
     stop_spindle(task);
-    task.modal.loaded_tool = task.modal.tool;
+    task.modal.state.loaded_tool = task.modal.tool;
     return emit_action(task, Action::Kind::tool, *task.modal.tool);
   }
   task.out.report(Code::SC2204, task.word.pos, "M06 without a tool: T is not set");
@@ -127,7 +127,7 @@ void name_tool(Task& task) {
     return task.out.report(Code::SC2005, task.word.pos, "M61 needs Q, the tool in the spindle");
   const auto number = known_tool(task, task.values.word('Q'));
   if (!number) return;
-  task.modal.loaded_tool = *number;
+  task.modal.state.loaded_tool = *number;
   task.modal.tool = number;
   emit_action(task, Action::Kind::tool, *number);
 }

@@ -14,7 +14,7 @@ namespace {
 bool is_dynamic(const GCode& code) { return code.number == kG411 || code.number == kG421; }
 
 std::optional<double> radius_of_loaded_tool(Task& task) {
-  const std::optional<int>& tool = task.modal.loaded_tool;
+  const std::optional<int>& tool = task.modal.state.loaded_tool;
   const std::optional<double> radius = tool ? tools_of(task).radius(*tool) : std::nullopt;
   if (!radius)
     task.out.report(Code::SC2148, task.word.pos,
@@ -50,7 +50,8 @@ std::optional<double> radius_of_last_number(Task& task) {
 /// G41 alone.
 std::optional<double> radius_without_number(Task& task) {
   const Modal& modal = task.modal;
-  if (!modal.cutter && radius_of(task, modal.loaded_tool) != radius_of(task, modal.radius_number))
+  if (!modal.cutter &&
+      radius_of(task, modal.state.loaded_tool) != radius_of(task, modal.radius_number))
     task.out.note_difference(DialectDifference::radius_number, task.word.pos);
   return is_fanuc(task) ? radius_of_last_number(task) : radius_of_loaded_tool(task);
 }
@@ -64,7 +65,7 @@ std::optional<double> radius_by_number(Task& task) {
   if (!tool) return std::nullopt;
   keep_number(task, *tool);
   if (*tool == 0) {
-    const std::optional<int>& loaded = task.modal.loaded_tool;
+    const std::optional<int>& loaded = task.modal.state.loaded_tool;
     if (loaded && tools_of(task).radius(*loaded).value_or(0) != 0)
       task.out.note_difference(DialectDifference::zero_radius, word.pos);
     return is_fanuc(task) ? 0 : radius_of_loaded_tool(task);

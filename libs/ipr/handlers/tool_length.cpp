@@ -15,7 +15,7 @@ void use_offset(Task& task, const AxisVector& offset) {
 std::optional<int> tool_number(Task& task) {
   if (task.values.has('H')) return whole_number(task, task.values.word('H'));
   const bool fanuc = is_fanuc(task);
-  const int last = task.modal.length_number, loaded = task.modal.loaded_tool.value_or(0);
+  const int last = task.modal.length_number, loaded = task.modal.state.loaded_tool.value_or(0);
   if (last != loaded) task.out.note_difference(DialectDifference::length_number, task.word.pos);
   return fanuc ? last : loaded;
 }

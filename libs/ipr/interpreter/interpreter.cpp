@@ -93,7 +93,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       machine_codes_(machine_codes(machine)),
       lengths_(machine.program.integers) {
   modal_.state = std::move(state);
-  modal_.position = options.start;
+  modal_.position = modal_.state.place();
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.reader().set_stop(options.stop);
@@ -175,7 +175,7 @@ bool Interpreter::choose_format() {
     options_.format = format;
   }
   if (options_.format == Format::commands)
-    commands_.emplace(reader, machine_, diagnostics_, options_.start);
+    commands_.emplace(reader, machine_, diagnostics_, modal_.state.place());
   return commands_ || !options_.guess_dialect || choose_dialect();
 }
 

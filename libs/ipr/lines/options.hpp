@@ -40,8 +40,7 @@ struct InterpreterOptions {
   std::vector<Definition> definitions = {};          // of variables, before the first line
   CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
   std::stop_token stop = {};      // to read no further: waiting() then
-  AxisVector start = AxisVector::Zero();  // mm, machine coordinates: where the machine stands
-  bool remembers = false;                 // Interpreter::memory() is asked for
+  bool remembers = false;         // Interpreter::memory() is asked for
   /// What earlier lines have left, in place of the initial modes; it counts while the interpreter
   /// is made, and begins at its own place.
   const Memory* memory = nullptr;

@@ -131,7 +131,6 @@ struct Modal : Modes {
   const GCode* motion = nullptr;        // the motion code in force
   const GCode* motion_below = nullptr;  // G00 to G03: in force unless a cycle is
   std::optional<int> tool;              // as selected by T
-  std::optional<int> loaded_tool;       // in the spindle
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
   std::optional<PendingPoints> points;

@@ -102,7 +102,7 @@ double selected_pocket(const Modal& modal) {
 }
 
 double loaded_tool(const Modal& modal) {
-  return modal.unknown.has(Part::tool) ? kUnknown : modal.loaded_tool.value_or(0);
+  return modal.unknown.has(Part::tool) ? kUnknown : modal.state.loaded_tool.value_or(0);
 }
 
 double compensation(const Modal& modal) {
@@ -309,13 +309,13 @@ std::optional<double> ModalVariables::read_linuxcnc(int number) const {
 /// Of the tool in the spindle, mm.
 double ModalVariables::diameter() const {
   if (modal_.unknown.has_any({Part::tool, Part::tool_data})) return kUnknown;
-  return 2 * tools().radius(modal_.loaded_tool.value_or(0)).value_or(0);
+  return 2 * tools().radius(modal_.state.loaded_tool.value_or(0)).value_or(0);
 }
 
 /// Of the tool in the spindle as the table has it, mm: whether G43 is in force or not.
 double ModalVariables::tool_length(int axis) const {
   if (modal_.unknown.has_any({Part::tool, Part::tool_data})) return kUnknown;
-  const auto tool = tools().find(modal_.loaded_tool.value_or(0));
+  const auto tool = tools().find(modal_.state.loaded_tool.value_or(0));
   return tool ? tool->length[axis] : 0;
 }
 

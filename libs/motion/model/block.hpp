@@ -45,7 +45,8 @@ inline double asked_feed(const Move& move, double feed_override) noexcept {
 }
 
 struct Dwell {
-  double duration = 0;  // s
+  double duration = 0;         // s
+  bool since_spindle = false;  // from the last change of the spindle on, not from its own beginning
 };
 
 /// Something that happens at rest, between moves.

@@ -167,6 +167,7 @@ inline bool has_errors(const Screw& screw) noexcept {
 struct Spindle {
   double min_rpm = 0;
   double max_rpm = 24000;
+  double acceleration = 0;  // rpm/s; 0: it reaches any speed at once
 };
 
 /// Drives with step and direction inputs, and the timing that their inputs require.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What programs leave on a machine: work offsets, reference points, tool lengths, parameters.
+// What programs leave on a machine: where it stands, work offsets, reference points, the tool in
+// the spindle, tool lengths, parameters.
 #pragma once
 
 #include <array>
@@ -42,6 +43,14 @@ struct ToolOffset {
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
 };
 
+/// Where the machine stands, as it was kept last.
+struct KeptPosition {
+  AxisVector place = AxisVector::Zero();  // mm, machine coordinates
+  bool in_motion = false;  // it has left that place, and nobody has seen it at rest since
+
+  friend bool operator==(const KeptPosition&, const KeptPosition&) = default;
+};
+
 inline constexpr int kWorkSystems = 9;
 /// The number of further work systems: G54.1 P1 to P300.
 inline constexpr int kFurtherSystems = 300;
@@ -56,10 +65,16 @@ struct MachineState {
   AxisVector home = AxisVector::Zero();         // mm, machine coordinates: G28
   AxisVector second_home = AxisVector::Zero();  // G30
   std::array<std::optional<AxisVector>, 2> further_homes;  // G30 P3 and P4; unset: no such place
+  std::optional<KeptPosition> position;                    // unset: it was never kept
+  std::optional<int> loaded_tool;                          // in the spindle
   std::map<int, ToolOffset> tools;                         // by tool number
   std::map<int, double> parameters;                        // numbered ones that outlive a program
   std::map<std::string, double> globals;                   // named ones, without #< and >
 
+  /// Returns where a program begins, mm, machine coordinates: machine zero, if nothing was kept.
+  AxisVector place() const noexcept {
+    return position ? position->place : AxisVector(AxisVector::Zero());
+  }
   /// Returns the work system of an index: those of `work`, then G54.1 P1, P2 and so on.
   WorkOffset work_system(int index) const {
     if (index < kWorkSystems) return work[static_cast<std::size_t>(index)];

@@ -25,7 +25,8 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
       follows_plan_(follows_time(machine.control.interpolation)),
-      interpolator_(queue_, machine, options.interpreter.start),
+      interpolator_(queue_, machine, options.state.place()),
+      outputs_(options.outputs),
       times_(options.worst_lines > 0 || options.line_times, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
 }
@@ -138,6 +139,7 @@ void Channel::replan() noexcept {
 void Channel::forget_passed() {
   queue_.for_each_passed([&](const ipo::TimedBlock& timed) {
     times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
+    outputs_.pass(timed.block);
   });
   queue_.trim();
 }

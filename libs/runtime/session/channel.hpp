@@ -15,6 +15,7 @@
 #include "ipo/queue/interpolator.hpp"
 #include "ipo/queue/quiet_stretch.hpp"
 #include "motion/model/cycle.hpp"
+#include "motion/model/outputs.hpp"
 #include "runtime/figures/run_times.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/feeder.hpp"
@@ -65,6 +66,8 @@ class Channel {
   /// Returns the blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   void forget_passed();
+  /// Returns what the blocks forgotten so far have switched on.
+  const Outputs& outputs() const noexcept { return outputs_; }
   /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
   /// machine comes there within seconds.
   void see_path_to(double s) noexcept;
@@ -79,6 +82,7 @@ class Channel {
   const RunTimes& end_times();
 
   Feeder& feeder() noexcept { return feeder_; }
+  const Feeder& feeder() const noexcept { return feeder_; }
 
  private:
   bool plan_ahead() noexcept;
@@ -94,6 +98,7 @@ class Channel {
   ipo::BlockQueue queue_;
   bool follows_plan_;  // the rows lie where the plan is at their instants
   ipo::Interpolator interpolator_;
+  Outputs outputs_;
   RunTimes times_;                    // of what has been forgotten
   Limit limit_before_ = Limit::stop;  // of the last row
   bool started_ = false, stopping_ = false;

@@ -8,6 +8,7 @@
 #include "ipo/limits/constraint_list.hpp"
 #include "ipr/interpreter/interpreter.hpp"
 #include "motion/model/machine_state.hpp"
+#include "motion/model/outputs.hpp"
 #include "runtime/session/feed_script.hpp"
 
 namespace softcnc::runtime {
@@ -18,6 +19,7 @@ struct ChannelOptions {
   double largest_override = 1;  // that may be asked for while it runs
   ipr::InterpreterOptions interpreter;
   MachineState state;                   // with which the program begins
+  Outputs outputs;                      // that are on as it begins
   bool keeps_state = false;             // Outcome::state is asked for
   ipo::FurtherConstraints constraints;  // beyond those of the machine
   bool single_block = false;            // every move ends at rest, every line waits for a person

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes of the feed at given moments of a run: --at.
+// Changes of feed and rapids at given moments of a run: --at.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,19 @@ constexpr double within_limits(double feed_override) noexcept {
   return feed_override < kSmallestOverride ? 0 : std::min(feed_override, kLargestOverride);
 }
 
+/// An override of rapids lies between these.
+inline constexpr double kSmallestRapid = 0.01, kLargestRapid = 1;
+
 struct FeedEvent {
-  enum class Kind : std::uint8_t { override_, hold, resume };
+  enum class Kind : std::uint8_t { override_, rapid, hold, resume };
 
   double time = 0;  // s of the run
   Kind kind = Kind::resume;
   double percent = 100;  // of an override
 };
 
-/// Returns the event of "1.5:override=50", "2:hold" or "3:resume" (times in s); nothing if it is
-/// none of them.
+/// Returns the event of "1.5:override=50", "1.5:rapid=25", "2:hold" or "3:resume" (times in s);
+/// nothing if it is none of them.
 std::optional<FeedEvent> parse_event(std::string_view text);
 
 /// Returns the text that parse_event() reads as this event.

@@ -46,6 +46,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       first_cut_delay_(options.first_cut_delay),
       delay_place_(delay_place(machine.control.interpolation)),
       states_(options.state),
+      spindle_(machine.spindle.acceleration, options.outputs.spindle_rpm),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}
 
@@ -152,6 +153,14 @@ void Feeder::note_origin(const Block& block) {
     origins_.emplace(last_system_, interpreter_.state().work_system(last_system_).origin);
 }
 
+void Feeder::plan(Block block) {
+  if (programmed_) programmed_->add(block);
+  last_place_ = block.source;
+  last_number_ = block.number;
+  at_rest_ = false;
+  planner_.push(std::move(block));
+}
+
 /// False if that would have to wait.
 bool Feeder::read_block() {
   auto block = next_block();
@@ -167,13 +176,10 @@ bool Feeder::read_block() {
   }
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
-  if (good && programmed_) programmed_->add(*block);
   if (good) {
-    last_place_ = block->source;
-    last_number_ = block->number;
-    at_rest_ = false;
+    if (auto wait = spindle_.before(*block)) plan(std::move(*wait));
+    plan(*std::exchange(block, std::nullopt));
   }
-  if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;
   end_at_last_block();
   read_on(std::move(block));

@@ -18,6 +18,7 @@
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/motion_limit.hpp"
+#include "runtime/session/spindle_wait.hpp"
 #include "runtime/session/state_history.hpp"
 #include "runtime/session/watcher.hpp"
 
@@ -70,6 +71,7 @@ class Feeder {
 
   /// The states of the machine as far as has been read.
   StateHistory& states() noexcept { return states_; }
+  const StateHistory& states() const noexcept { return states_; }
 
   /// Passes every block to `programmed` before the planner gets it.
   void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
@@ -90,6 +92,7 @@ class Feeder {
  private:
   bool read_block();
   void note_origin(const Block& block);
+  void plan(Block block);
   std::optional<Block> next_block();
   void take(ipo::BlockQueue& queue, ipo::TimedPart part);
   void end_at_last_block();
@@ -120,6 +123,7 @@ class Feeder {
   bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
+  SpindleWait spindle_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
   MotionLimit limit_;

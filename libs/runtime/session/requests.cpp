@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/session/requests.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace softcnc::runtime {
@@ -8,6 +9,12 @@ namespace softcnc::runtime {
 void Requests::set_feed_override(double feed_override) noexcept {
   if (std::isnan(feed_override)) return;
   control_.feed_override = within_limits(feed_override);
+  pending_ = true;
+}
+
+void Requests::set_rapid_override(double rapid_override) noexcept {
+  if (std::isnan(rapid_override)) return;
+  control_.rapid_override = std::clamp(rapid_override, kSmallestRapid, kLargestRapid);
   pending_ = true;
 }
 

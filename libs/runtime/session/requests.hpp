@@ -22,13 +22,18 @@ class Requests {
 
   /// Multiplies the programmed feed, up to kLargestOverride. NaN changes nothing.
   void set_feed_override(double feed_override) noexcept;
+  /// Multiplies the speed of rapids, from kSmallestRapid to 1. NaN changes nothing.
+  void set_rapid_override(double rapid_override) noexcept;
   void hold() noexcept;
   void resume() noexcept;
   /// Lets the machine come to rest on the path, and ends the program there: nothing else is
   /// answered any more.
   void stop() noexcept { panel_.stop = true; }
-  /// Requests again what is in force, for a new path that does not know of it.
-  void repeat() noexcept { pending_ = true; }
+  /// For a new path, which does not know of it, requests again what is in force, but for a stop.
+  void begin_again() noexcept {
+    panel_.stop = false;
+    pending_ = true;
+  }
 
   bool stops() const noexcept { return panel_.stop; }
   /// Returns what the cycle looks at in each period.

@@ -34,7 +34,7 @@ Session::Session(const Machine& machine, const ChannelOptions& options, hal::Bac
       diagnostics_(std::move(report)),
       requests_(options.feed_override),
       values_(row_columns(backend).size()) {
-  last_.position = options.interpreter.start;
+  last_.position = options.state.place();
   begin();
 }
 
@@ -54,24 +54,48 @@ void Session::begin() {
 }
 
 void Session::go_on() {
-  if (status_ != SessionStatus::error) return;
+  const bool is_done = status_ == SessionStatus::done && !fed_;
+  if (status_ != SessionStatus::error && !is_done) return;
+  if (requests_.stops()) {
+    options_.state = channel_->feeder().states().present();
+    return begin_again(nullptr);
+  }
   ipr::Memory memory = channel_->feeder().memory();
-  memory.stand_at(last_.position);
+  begin_again(&memory);
+}
+
+void Session::begin_again(ipr::Memory* memory) {
+  if (memory != nullptr) {
+    memory->stand_at(last_.position);
+    options_.state = memory->modal.state;
+  }
+  options_.state.position = KeptPosition{last_.position};
+  options_.outputs = channel_->outputs();
   before_ = last_;
   before_.period += 1;
   before_it_ = lines_;
-  options_.interpreter.memory = &memory;
-  options_.interpreter.start = last_.position;
-  options_.state = memory.modal.state;
+  options_.interpreter.memory = memory;
   const double feed_override = requests_.control().feed_override;
   options_.feed_override = feed_override > 0 ? feed_override : 1;
   channel_.reset();
+  requests_.begin_again();
   reader_ = ipr::Reader::fed();
   begin();
   options_.interpreter.memory = nullptr;
   pushed_ = 0;
-  requests_.repeat();
+  rests_ = false;
   status_ = SessionStatus::waiting;
+}
+
+void Session::count_on_from(const Setpoint& row) {
+  before_.period += row.period - last_.period;
+  before_.s += row.s - last_.s;
+  before_.block += row.block - last_.block;
+  const bool in_program = requests_.control().hold || status_ == SessionStatus::paused;
+  last_ = row;
+  if (in_program) return;
+  ipr::Memory memory = channel_->feeder().memory();
+  begin_again(&memory);
 }
 
 /// Where the program has not been ended by whoever feeds it, an error is not the end.
@@ -82,11 +106,13 @@ SessionStatus Session::end_of_motion() noexcept {
 }
 
 /// Where all that has been fed has been run, lines without a block count too.
-const MachineState& Session::state() noexcept {
+MachineState Session::state() {
   const bool is_run = (rests_ && status_ == SessionStatus::waiting) ||
                       status_ == SessionStatus::done || status_ == SessionStatus::error;
-  return is_run && !requests_.stops() ? channel_->feeder().memory().modal.state
-                                      : channel_->feeder().states().present();
+  MachineState state = is_run && !requests_.stops() ? channel_->feeder().memory().modal.state
+                                                    : channel_->feeder().states().present();
+  state.position = KeptPosition{last_.position};
+  return state;
 }
 
 void Session::rest() noexcept {

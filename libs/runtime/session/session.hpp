@@ -61,12 +61,16 @@ class Session {
   bool takes_more() const noexcept {
     return !fed_ && !requests_.stops() && status_ <= SessionStatus::paused;
   }
-  /// After an error, as a control does when its operator has read it: what has been fed and was not
-  /// run is forgotten, modes, offsets and variables are those behind the last line without an
-  /// error, the machine stays where it stands, and more can be fed. A subprogram, a curve over
-  /// several lines and cutter compensation end. Ignored unless the status is `error`. A program in
-  /// the commands of paper 003 is `done` after an error.
+  /// After an error, as a control does when its operator has read it, and after the end of a
+  /// program: what has been fed and was not run is forgotten, modes, offsets and variables are
+  /// those behind the last line without an error, the machine stays where it stands, and more can
+  /// be fed. A subprogram, a curve over several lines and cutter compensation end. After abort()
+  /// modes are those at the start of a program. Ignored unless the status is `error`, or `done`
+  /// without end(). A program in the commands of paper 003 is `done` after an error.
   void go_on();
+  /// Another session has moved the machine to `row` while this one was at rest: rows count on
+  /// behind it. In the middle of a program it must be where this one has left it.
+  void count_on_from(const Setpoint& row);
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
   /// where they are.
@@ -85,6 +89,10 @@ class Session {
   void set_feed_override(double feed_override) noexcept {
     requests_.set_feed_override(feed_override);
   }
+  /// Multiplies the speed of rapids, from 0.01 to 1. NaN changes nothing.
+  void set_rapid_override(double rapid_override) noexcept {
+    requests_.set_rapid_override(rapid_override);
+  }
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept { requests_.stop(); }
 
@@ -97,13 +105,18 @@ class Session {
   /// path.
   Measured measured() const noexcept { return verification_->measured(); }
   std::optional<ContourReport> contour() const;
-  /// Returns offsets, modes and position as programs that follow find them.
-  const MachineState& state() noexcept;
+  /// Returns offsets, tools, variables and position as programs that follow find them.
+  MachineState state();
+  /// Returns the length of the unit in which the lines that follow are read, mm.
+  double mm_per_unit() const noexcept { return channel_->feeder().memory().modal.mm_per_unit; }
+  /// Returns what has been switched on at the place of the last row.
+  const Outputs& outputs() const noexcept { return channel_->outputs(); }
   /// Returns where the last row was, mm; before the first one, where the session begins.
   const AxisVector& position() const noexcept { return last_.position; }
 
  private:
   void begin();
+  void begin_again(ipr::Memory* memory);
   SessionStatus end_of_motion() noexcept;
   Setpoint counted_on(Setpoint setpoint) const noexcept;
   bool is_to_pause() noexcept;

@@ -162,6 +162,7 @@ class Simulation {
   void end_realtime();
   void keep_times();
   double lap() noexcept;
+  std::optional<KeptPosition> kept_position() const;
   Outcome finish();
 
   int input_;
@@ -312,12 +313,23 @@ void Simulation::keep_times() {
       times.lines().worst(worst_lines_, [this](int file) { return diagnostics_.file(file); });
 }
 
+/// Without motion the machine is where it was. After an alarm the axes have stopped short of
+/// the last one; where nothing measures them, nobody knows where.
+std::optional<KeptPosition> Simulation::kept_position() const {
+  if (outcome_.last.s == 0) return channel_.feeder().states().last().position;
+  const bool is_measured = backend_.instants() > 0 && !backend_.actual().empty();
+  if (outcome_.end != Outcome::End::alarm) return KeptPosition{outcome_.last.position};
+  return is_measured ? KeptPosition{backend_.actual().back()}
+                     : KeptPosition{outcome_.last.position, true};
+}
+
 Outcome Simulation::finish() {
   if (!wanted_ && outcome_.end == Outcome::End::done) outcome_.end = Outcome::End::broken_off;
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && requests_.stops()) outcome_.end = Outcome::End::stopped;
   const StateHistory& states = channel_.feeder().states();
   outcome_.state = outcome_.end == Outcome::End::done ? states.last() : states.present();
+  outcome_.state.position = kept_position();
   outcome_.time = channel_.time();
   keep_times();
   outcome_.measured = verification_.measured();
