@@ -69,7 +69,9 @@ class Planner {
     State from;
     Profile before;
     std::vector<Profile> profiles;
+    std::vector<Profile> whole = {};  // of the blocks that it runs to their ends before that
   };
+  enum class StopWithin : std::uint8_t { block, queue };
 
   void accept(Piece piece);
   bool lay_ahead();
@@ -79,7 +81,7 @@ class Planner {
   void take_back(PartlyPassed& rest, double s, double t);
   void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
-  StopAhead stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as);
+  StopAhead stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as, StopWithin within);
   std::vector<Profile> planned_to_rest(PartlyPassed& rest, const State& now, double t);
   void plan_up_to_rest(PartlyPassed& rest);
   double distance_to_rest(double s) const;

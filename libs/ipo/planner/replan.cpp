@@ -34,6 +34,30 @@ State end_state(const Profile& profile) {
   return profile.at(profile.duration(), hint);
 }
 
+/// Returns by how much the speed at least rises until the acceleration is zero, mm/s.
+double speed_to_gain(const State& now, const ConstraintList& constraints,
+                     const Directions& directions) noexcept {
+  return now.a > 0 ? 0.5 * now.a * now.a / directions.least(constraints.limits().jerk) : 0;
+}
+
+/// Returns the length of the path to the end of the last profile from the beginning of the first
+/// one's move, mm.
+double length_of(const std::vector<Profile>& profiles) {
+  double length = profiles.empty() ? kUnlimited : 0;
+  for (const Profile& profile : profiles) length += profile.end_place();
+  return length;
+}
+
+/// Returns how many pieces lead on from the first `pieces`, where the acceleration is `a`, to a
+/// small part of that; of a machine that brakes, the next one.
+std::size_t pieces_to_less(const Profile& planned, std::size_t pieces, double a) {
+  constexpr double kLess = 20;  // times: few tries, and little speed is still gained
+  ++pieces;
+  while (a > 0 && pieces < planned.pieces() && end_state(planned.first(pieces)).a > a / kLess)
+    ++pieces;
+  return pieces;
+}
+
 }  // namespace
 
 std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, double t,
@@ -67,31 +91,52 @@ void Planner::take_back(PartlyPassed& rest, double s, double t) {
 }
 
 /// Returns a stop from where the machine is. A machine that brakes to a very low speed may be too
-/// slow to stop before it no longer brakes: the stop then begins there. Should none be found, it is
-/// what is planned already, which is a fall-back unless the machine brakes there anyway.
-Planner::StopAhead Planner::stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as) {
+/// slow to stop before it no longer brakes, and one that ends to gain speed is at its highest one
+/// only then: where no stop is found, or none that is short, it begins further on, in the present
+/// block or in any of the queue. Should none be found, it is what is planned already, which is a
+/// fall-back unless the machine brakes there anyway.
+Planner::StopAhead Planner::stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as,
+                                       StopWithin within) {
   BlocksAround around{{}, rest.passed};
   const auto add = [&around](const TimedBlock& timed) { around.blocks.push_back(&timed); };
   std::for_each(rest.blocks.begin(), rest.blocks.end(), add);
   std::for_each(ready_.begin(), ready_.end(), add);
   std::for_each(pending_.begin() + (given_ > 0 ? 1 : 0), pending_.end(), add);
   rests_anyway_ = false;
-  const TimedBlock& present = rest.blocks[rest.passed];
-  Profile planned = present.profile.from(t - present.t_start);
+  StopAhead ahead{now, {}, {}}, best{now, {}, {}};
+  double shortest = kUnlimited, run = -now.s;  // mm: of the best, and up to the present block
+  Profile planned = rest.blocks[rest.passed].profile.from(t - rest.blocks[rest.passed].t_start);
   planned.end_hold();
-  StopAhead ahead{now, {}, {}};
-  for (std::size_t pieces = 1;; ++pieces) {
+  Directions directions;
+  for (std::size_t pieces = 0;;) {
+    const Move* move = rest.blocks[around.passed].move();
+    if (move) directions.add(move->path);
     StopPlan stop = plan_stop(constraints_, around, ahead.from, as);
     counts_.effort += stop.effort;
-    if (!stop.profiles.empty()) {
-      ahead.profiles = std::move(stop.profiles);
-      return ahead;
+    if (const double distance = run + length_of(stop.profiles); distance < shortest) {
+      shortest = distance;
+      best = ahead;
+      best.profiles = std::move(stop.profiles);
     }
-    if (ahead.from.a >= 0 || pieces > planned.pieces()) break;
+    const bool gains = speed_to_gain(ahead.from, constraints_, directions) >
+                       tuning::planner::kStopRounding * ahead.from.v;
+    const bool is_short = !gains || shortest <= longest_stop(now, constraints_, directions);
+    if (!best.profiles.empty() && is_short) return best;
+    pieces = pieces_to_less(planned, pieces, ahead.from.a);
+    if ((!gains && ahead.from.a >= 0) || pieces > planned.pieces()) break;
     ahead.before = planned.first(pieces);
     ahead.from = end_state(ahead.before);
-    if (at_end(present, ahead.from.s)) break;
+    if (!at_end(rest.blocks[around.passed], ahead.from.s)) continue;
+    const bool ends = around.passed + 1 >= rest.blocks.size() || ahead.from.v == 0;
+    if (within == StopWithin::block || ends || !rest.blocks[around.passed + 1].move()) break;
+    run += length(move->path);
+    planned = rest.blocks[++around.passed].profile;
+    planned.end_hold();
+    ahead.whole.push_back(std::exchange(ahead.before, {}));
+    ahead.from.s = 0;
+    pieces = 0;
   }
+  if (!best.profiles.empty()) return best;
   return {now, {}, planned_to_rest(rest, now, t)};
 }
 
@@ -134,8 +179,12 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
 /// Stops on the path; what lies after the stop waits.
 void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
   constraints_.set_overrides(machine_, ceiling_);
-  const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by());
+  const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by(), StopWithin::queue);
   take_back(rest, stop.from.s, t);
+  for (const Profile& profile : stop.whole) {
+    pending_.front().profile = profile;
+    ready_.push_back(take());
+  }
   pending_.front().profile = stop.before;
   for (const Profile& profile : stop.profiles) {
     pending_.front().profile.append(profile);
@@ -153,7 +202,9 @@ void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedCo
   const Overrides wanted = asked.overrides();
   constraints_.set_overrides(machine_, moves ? larger_ones(ceiling_, wanted) : wanted);
   StopAhead stop{now, {}, {}};
-  if (moves) stop = stop_ahead(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
+  if (moves)
+    stop = stop_ahead(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_,
+                      StopWithin::block);
   stop_profiles_ = std::move(stop.profiles);
   feed_ = asked;
   take_back(rest, stop.from.s, t);
