@@ -1,47 +1,53 @@
 // SPDX-License-Identifier: MIT
-// An operator at the machine: moves line by line, a hold, an override, and a rest wherever the
-// lines pause, so that no move waits for the one after it.
+// An operator at the machine: a line, a move by hand, a program with a hold in the middle of it,
+// and an emergency stop.
 #include <iostream>
 #include <softcnc/softcnc.hpp>
 
 namespace cnc = softcnc;
 
+namespace {
+
+void show(const cnc::Operator& machine, const char* what) {
+  std::cout << what << ": " << name(machine.mode()) << " at " << machine.position().transpose()
+            << '\n';
+}
+
+/// One period after the other, as a clock would.
+void run(cnc::Operator& machine, int periods) {
+  for (int i = 0; i < periods; ++i) machine.step();
+}
+
+}  // namespace
+
 int main() {
-  auto session = cnc::Session::open(cnc::Machine());
-  if (!session) return 5;
-  double x = 0;
-  const auto run = [&](int periods) {
-    for (; periods != 0; --periods) {
-      const auto row = session->step();
-      if (!row) return;
-      x = row->setpoint.position.x();
-    }
-  };
-  constexpr int kToTheEnd = -1;
+  auto machine = cnc::Operator::open(cnc::Machine());
+  if (!machine) return 5;
+  const int minute = 60'000;  // periods of 1 ms
 
-  session->feed("G21 G90 G01 X20 F1200\n");
-  session->rest();
-  run(kToTheEnd);
-  std::cout << "after the first line: " << x << " mm\n";
+  machine->line("G21 G90 G01 X20 F1200\n");
+  run(*machine, minute);
+  show(*machine, "after a line");
+  machine->jog({{0, 5, 0}, 20});
+  run(*machine, minute);
+  show(*machine, "after a jog");
+  if (const auto refused = machine->jog({{5000, 0, 0}, 20})) std::cout << refused->text;
 
-  session->feed("X100\n");
-  session->rest();
-  run(50);
-  session->hold();
-  run(50);
-  const double held = x;
-  run(50);
-  std::cout << (x == held && x < 100 ? "held on the way\n" : "not held\n");
-  session->set_feed_override(1.5);
-  session->resume();
-  run(kToTheEnd);
-  std::cout << "after the second line: " << x << " mm\n";
+  machine->start("G01 X100 F3000\nM30\n");
+  run(*machine, 200);
+  machine->hold();
+  run(*machine, 500);
+  show(*machine, "held");
+  machine->jog({{0, 0, 10}, 20});  // to look at the tool
+  run(*machine, minute);
+  std::cout << "the way back leads to " << machine->return_point()->transpose() << '\n';
+  machine->resume();
+  run(*machine, minute);
+  show(*machine, "after the program");
 
-  session->feed("X0\n");
-  session->end();
-  run(50);
-  session->abort();
-  run(kToTheEnd);
-  std::cout << (session->status() == cnc::SessionStatus::done && x > 0 ? "aborted on the way\n"
-                                                                       : "not aborted\n");
+  machine->start("G01 X0 F3000\nM30\n");
+  run(*machine, 200);
+  machine->estop();
+  show(*machine, "after an emergency stop");
+  std::cout << (machine->knows_position() ? "position known\n" : "position not known\n");
 }

@@ -19,6 +19,7 @@
 #include <softcnc/constraint.hpp>
 #include <softcnc/diagnostic.hpp>
 #include <softcnc/machine.hpp>
+#include <softcnc/operator.hpp>
 #include <softcnc/program.hpp>
 #include <softcnc/session.hpp>
 #include <softcnc/setpoint.hpp>

@@ -5,35 +5,12 @@
 #include <utility>
 
 #include "api/convert.hpp"
+#include "api/custom_backend.hpp"
 #include "api/data.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 
 namespace softcnc::api {
 namespace {
-
-/// A backend of the user as one of the runtime's.
-class CustomBackend final : public hal::Backend {
- public:
-  CustomBackend(std::shared_ptr<api::Backend> backend, double period)
-      : backend_(std::move(backend)), period_(period) {}
-
-  softcnc::Feedback exchange(const softcnc::Setpoint& setpoint) noexcept override {
-    if (!backend_) return {last_, Alarm::driver_fault};
-    const api::Feedback feedback = backend_->exchange(setpoint_of(setpoint, period_));
-    if (!feedback.position.allFinite()) return {last_, Alarm::driver_fault};
-    last_ = feedback.position;
-    return {last_, feedback.alarm ? Alarm::driver_fault : Alarm::none};
-  }
-  void rest() noexcept override {
-    if (backend_) backend_->rest();
-  }
-  softcnc::AxisVector settle() const noexcept override { return last_; }
-
- private:
-  std::shared_ptr<api::Backend> backend_;
-  double period_;
-  softcnc::AxisVector last_ = softcnc::AxisVector::Zero();
-};
 
 SessionStatus status_of(runtime::SessionStatus status) noexcept {
   switch (status) {
@@ -122,6 +99,9 @@ void Session::resume() noexcept {
 }
 void Session::set_feed_override(double feed_override) noexcept {
   if (data_) data_->session.set_feed_override(feed_override);
+}
+void Session::set_rapid_override(double rapid_override) noexcept {
+  if (data_) data_->session.set_rapid_override(rapid_override);
 }
 void Session::abort() noexcept {
   if (data_) data_->session.abort();

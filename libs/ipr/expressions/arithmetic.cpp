@@ -15,7 +15,7 @@ using Fn = FunctionKind;
 
 // LinuxCNC: comparisons bind tighter than AND, OR, XOR. FANUC: AND binds like *, OR and XOR like +,
 // since they work on the bits of numbers. A name that begins with another stands before it.
-constexpr Operator kOperators[] = {
+constexpr ArithmeticOperator kOperators[] = {
     {"**", Op::power, 5, 4},         {"*", Op::times, 4, 3},      {"/", Op::divide, 4, 3},
     {"MOD", Op::modulo, 4, 3},       {"+", Op::plus, 3, 2},       {"-", Op::minus, 3, 2},
     {"EQ", Op::equal, 2, 1},         {"NE", Op::not_equal, 2, 1}, {"GT", Op::greater, 2, 1},
@@ -160,7 +160,7 @@ Computed if_taken(bool taken, double value) noexcept {
 
 }  // namespace
 
-std::span<const Operator> operators() noexcept { return kOperators; }
+std::span<const ArithmeticOperator> operators() noexcept { return kOperators; }
 std::span<const Function> functions() noexcept { return kFunctions; }
 
 Computed compute(OperatorKind kind, double left, double right, Dialect dialect) noexcept {

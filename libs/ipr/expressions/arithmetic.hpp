@@ -29,7 +29,7 @@ enum class OperatorKind : std::uint8_t {
 };
 
 /// An operator. A higher level binds tighter; operators of one level group from the left.
-struct Operator {
+struct ArithmeticOperator {
   std::string_view name;
   OperatorKind kind;
   int linuxcnc_level, fanuc_level;
@@ -67,7 +67,7 @@ struct Function {
   std::string_view takes;  // what its argument must be, for a message; empty: any number
 };
 
-std::span<const Operator> operators() noexcept;
+std::span<const ArithmeticOperator> operators() noexcept;
 std::span<const Function> functions() noexcept;
 
 /// The reason why there is no value.

@@ -81,7 +81,7 @@ void Expression::differs(DialectDifference why) noexcept {
   if (!why_) why_ = why;
 }
 
-void Expression::compare_operator(const Operator& op, double left, double right) {
+void Expression::compare_operator(const ArithmeticOperator& op, double left, double right) {
   const Dialect own = parameters_.dialect();
   if (!is_same(compute(op.kind, left, right, own), compute(op.kind, left, right, dialect_)))
     differs(kind_of(op.kind));

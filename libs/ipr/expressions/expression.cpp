@@ -101,7 +101,7 @@ Expression::Operand Expression::binary(int lowest) {
   Operand left = operand();
   bool compared = false;
   while (!broke_off_) {
-    const Operator* op = peek_operator();
+    const ArithmeticOperator* op = peek_operator();
     const int level = op != nullptr ? op->level(dialect_) : 0;
     if (level < lowest) break;
     operator_ = nullptr;
@@ -113,14 +113,14 @@ Expression::Operand Expression::binary(int lowest) {
   return left;
 }
 
-const Operator* Expression::peek_operator() {
+const ArithmeticOperator* Expression::peek_operator() {
   if (operator_ != nullptr) return operator_;
-  for (const Operator& op : operators())
+  for (const ArithmeticOperator& op : operators())
     if (lexer_.take(op.name)) return operator_ = &op;
   return nullptr;
 }
 
-Expression::Operand Expression::combine(const Operator& op, const Operand& left,
+Expression::Operand Expression::combine(const ArithmeticOperator& op, const Operand& left,
                                         const Operand& right) {
   Operand result{kUnknown, left.begin, right.end};
   if (is_unknown(left.value) || is_unknown(right.value)) return result;

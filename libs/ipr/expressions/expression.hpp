@@ -105,13 +105,13 @@ class Expression {
   bool in_other_dialect() const noexcept { return dialect_ != parameters_.dialect(); }
   void differs(DialectDifference why) noexcept;
   double in_unit_there(int number, double value);
-  void compare_operator(const Operator& op, double left, double right);
+  void compare_operator(const ArithmeticOperator& op, double left, double right);
   void compare_function(const Function& function, std::span<const double> arguments);
   std::optional<double> read_there(const Variable& variable);
 
   Operand binary(int lowest);
-  const Operator* peek_operator();
-  Operand combine(const Operator& op, const Operand& left, const Operand& right);
+  const ArithmeticOperator* peek_operator();
+  Operand combine(const ArithmeticOperator& op, const Operand& left, const Operand& right);
   Operand operand();
   double unsigned_operand(char first, int begin);
   double number();
@@ -137,7 +137,7 @@ class Expression {
   std::optional<OtherValue> other_;
   std::optional<DialectDifference> why_;  // in the other dialect: the first thing that differs
   bool differs_whatever_its_value_ = false;
-  const Operator* operator_ = nullptr;  // read, but not yet used
+  const ArithmeticOperator* operator_ = nullptr;  // read, but not yet used
   std::optional<LineError> error_;
   int depth_ = 0;
   double rounding_ = 1;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/operator/operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hal/files/number.hpp"
+#include "runtime/operator/refusal.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+std::unique_ptr<hal::Backend> nowhere(Machine machine) {
+  machine.control.backend = BackendKind::none;
+  return std::move(*hal::open_backend(machine));
+}
+
+}  // namespace
+
+Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
+                   RowSink* sink, Diagnostics::Sink report)
+    : machine_(machine),
+      free_machine_(without_travel(machine)),
+      options_(options),
+      backend_(backend),
+      nowhere_(nowhere(machine)),
+      sink_(sink),
+      report_(std::move(report)),
+      known_(position_status(options.state, BackendKind::none) == PositionStatus::known),
+      outputs_(options.outputs) {
+  last_.position = options.state.place();
+  begin_session(options.state);
+}
+
+void Operator::begin_session(const MachineState& state) {
+  options_.state = state;
+  options_.state.position = KeptPosition{last_.position};
+  options_.outputs = outputs_;
+  session_.emplace(machine_, options_, backend_, sink_, report_);
+  session_->set_feed_override(feed_override_);
+  session_->set_rapid_override(rapid_override_);
+  if (begun_) session_->count_on_from(last_);
+  running_ = is_program_ = paused_ = false;
+  left_.reset();
+  returning_ = false;
+}
+
+Result<bool> Operator::asked(Request request) const {
+  switch (mode_rule(mode_, request).answer) {
+    case ModeRule::Answer::acts:
+      return true;
+    case ModeRule::Answer::ignored:
+      return false;
+    case ModeRule::Answer::refused:
+      break;
+  }
+  return refusal(std::string(kRequestNames[static_cast<std::size_t>(request)]) +
+                 ": not while the machine is in " +
+                 std::string(kModeNames[static_cast<std::size_t>(mode_)]));
+}
+
+// Lines and programs ------------------------------------------------------------------------------
+
+Result<bool> Operator::may_run(Request request) const {
+  const auto acts = asked(request);
+  if (!acts || mode_ == MachineMode::check || known_) return acts;
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC5070, .message = "the position of the machine is not known"});
+}
+
+Status Operator::line(std::string_view text) {
+  if (const auto acts = may_run(Request::line); !acts) return tl::make_unexpected(acts.error());
+  if (is_program_ || returning_) return refusal("line: a program is running");
+  const std::string whole = open_.add(text);
+  return whole.empty() ? Status() : run(whole, false);
+}
+
+Status Operator::start(std::string_view program) {
+  if (const auto acts = may_run(Request::start); !acts) return tl::make_unexpected(acts.error());
+  if (mode_ != MachineMode::check) begin_session(state());
+  return run(program, true);
+}
+
+Status Operator::run(std::string_view text, bool is_program) {
+  if (mode_ == MachineMode::check) return judge(text);
+  if (Status fed = session_->feed(text); !fed) return fed;
+  is_program_ = is_program;
+  running_ = true;
+  is_program ? session_->end() : session_->rest();
+  mode_ = MachineMode::run;
+  return {};
+}
+
+/// A session of its own, which nothing moves, reads on from line to line.
+Status Operator::judge(std::string_view text) {
+  if (Status fed = judged_->feed(text); !fed) return fed;
+  judged_->rest();
+  for (;;) {
+    if (judged_->step()) continue;
+    if (judged_->status() != SessionStatus::paused) break;
+    judged_->resume();
+  }
+  judged_->go_on();
+  return {};
+}
+
+Status Operator::touch_off(int axis, double value) {
+  if (axis < 0 || axis >= kAxes || !is_near(value)) return refusal("touch_off: no such place");
+  const std::string number = hal::number_text(value / session_->mm_per_unit());
+  return line("G10 L20 P0 " + std::string(1, kAxisLetters[static_cast<std::size_t>(axis)]) + "[" +
+              number + "]\n");
+}
+
+// Motion ------------------------------------------------------------------------------------------
+
+std::optional<Row> Operator::step() {
+  if (jog_) return step_of(*jog_);
+  if (!running_ || return_point()) return std::nullopt;
+  if (waits_ > 0 && mode_ == MachineMode::run && !moving() && --waits_ == 0) go_on();
+  return step_of(*session_);
+}
+
+std::optional<Row> Operator::step_of(Session& session) {
+  auto row = session.step();
+  if (!row) {
+    jog_ ? settle_jog() : settle_program();
+    return std::nullopt;
+  }
+  last_ = row->setpoint;
+  last_.pulses = {};
+  last_.fine = {};
+  begun_ = true;
+  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) outputs_ = session_->outputs();
+  if (row->feedback.alarm == Alarm::none) return row;
+  values_.assign(row->values.begin(), row->values.end());
+  const Row last{last_, row->feedback, values_};
+  raise_alarm();
+  return last;
+}
+
+void Operator::settle_jog() {
+  jog_.reset();
+  session_->count_on_from(last_);
+  if (mode_ == MachineMode::alarm && !rests_in_) switch_.reset();
+  if (rests_in_) return ended();
+  if (mode_ == MachineMode::jog) mode_ = MachineMode::idle;
+  if (returning_) go_on();
+}
+
+void Operator::settle_program() {
+  if (session_->status() == SessionStatus::paused && !rests_in_) {
+    paused_ = true;
+    if (mode_ == MachineMode::run) mode_ = MachineMode::hold;
+    return;
+  }
+  if (session_->status() == SessionStatus::running) return;
+  if (rests_in_) return ended();
+  if (is_program_)
+    begin_session(state());
+  else
+    session_->go_on();
+  running_ = is_program_ = paused_ = false;
+  if (mode_ != MachineMode::door) mode_ = MachineMode::idle;
+}
+
+MachineState Operator::state() {
+  MachineState state = session_->state();
+  state.position = KeptPosition{last_.position, !known_ || moving()};
+  return state;
+}
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// A person at the machine: programs, lines, moves by hand, hold and abort, and what the machine
+// does in each of its states.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/backends/backend.hpp"
+#include "motion/core/result.hpp"
+#include "motion/model/outputs.hpp"
+#include "runtime/operator/jog_move.hpp"
+#include "runtime/operator/machine_mode.hpp"
+#include "runtime/operator/open_text.hpp"
+#include "runtime/operator/position_status.hpp"
+#include "runtime/session/session.hpp"
+
+namespace softcnc::runtime {
+
+/// The machine as its operator meets it. It has no clock: each step() is one period, and whoever
+/// calls it decides when. A request that is not possible in the present state is refused (SC5080)
+/// and changes nothing; mode_rule() is the table. It is not thread-safe, and stays where it was
+/// made.
+class Operator {
+ public:
+  /// `machine`, `backend` and `sink` must outlive it; `sink` takes every row and may be null.
+  /// `options.state` says where the machine stands. What is wrong with lines goes to `report`.
+  Operator(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
+           RowSink* sink = nullptr, Diagnostics::Sink report = {});
+  Operator(const Operator&) = delete;
+  Operator& operator=(const Operator&) = delete;
+
+  // Requests
+  // ---------------------------------------------------------------------------------------
+
+  /// Runs lines, with the modes that the lines before have left. Lines that open a loop or a
+  /// subprogram wait until it is closed. Errors: SC5070, SC5080.
+  Status line(std::string_view text);
+  /// Returns whether line() waits for the end of a loop or a subprogram.
+  bool is_line_open() const noexcept { return open_.is_open(); }
+  /// Runs a program from its beginning, with the modes at the start of a program. Errors: SC5070,
+  /// SC5080.
+  Status start(std::string_view program);
+  /// Moves by hand, behind the jogs before; in Hold too, from where resume() comes back first.
+  /// Where the position is not known it is slow, and no end of travel counts; in Alarm, after a
+  /// limit switch, only slowly away from that. Errors: SC4001, SC5080.
+  Status jog(const Jog& jog);
+  /// Ends jogs within the limits of the machine.
+  Status cancel();
+  /// Sets the origin of the active work system so that the machine stands at `value` mm there.
+  Status touch_off(int axis, double value);
+
+  /// Comes to rest on the path. A jog ends.
+  Status hold();
+  /// Goes on after a hold, a pause or a closed door: first back along return_point(), then, after a
+  /// door, once the spindle has its speed.
+  Status resume();
+  /// Comes to rest on the path and ends the program, or the jog.
+  Status abort();
+  /// Does the same, and puts all modes back to those at the start of a program; from motion it ends
+  /// in Alarm. Spindle and coolant go off.
+  Status reset();
+  /// The door is open: comes to rest; spindle and coolant off.
+  Status door();
+  /// The door is closed again: resume() is possible.
+  void door_closed() noexcept { door_open_ = false; }
+  /// Leaves Alarm.
+  Status unlock();
+  /// Begins or ends that lines are only judged.
+  Status check();
+  /// Switches outputs off until reset().
+  Status sleep();
+
+  /// Rows end at once, without a ramp. The position is not known any more, unless the backend
+  /// measures it.
+  void estop();
+  /// A switch at an end of an axis: comes to rest within the limits, then Alarm. `direction`: -1 or
+  /// 1, towards the switch.
+  void limit_switch(int axis, int direction);
+
+  void set_feed_override(double feed_override) noexcept;
+  void set_rapid_override(double rapid_override) noexcept;
+  /// Count from the next line or program on.
+  void set_block_skip(bool on) noexcept { options_.interpreter.block_skip = on; }
+  void set_optional_stop(bool on) noexcept { options_.interpreter.optional_stop = on; }
+  void set_single_block(bool on) noexcept { options_.single_block = on; }
+  /// The machine stands at `place`, mm, machine coordinates: somebody has looked. Errors: SC5080
+  /// while it moves, or beyond what can be kept.
+  Status set_position(const AxisVector& place);
+
+  // Motion
+  // -----------------------------------------------------------------------------------------
+
+  /// Moves the machine by one period and returns the row. Nothing where nothing moves, or where the
+  /// state has just changed.
+  std::optional<Row> step();
+
+  MachineMode mode() const noexcept { return mode_; }
+  bool moving() const noexcept { return last_.v > kStandstill; }
+  /// Returns whether position() is where the machine is.
+  bool knows_position() const noexcept { return known_; }
+  const AxisVector& position() const noexcept { return last_.position; }
+  /// Returns the last row.
+  const Setpoint& last() const noexcept { return last_; }
+  /// Returns what is switched on.
+  const Outputs& outputs() const noexcept { return outputs_; }
+  /// Returns where resume() comes back to before the program goes on; nothing where the machine is
+  /// there.
+  std::optional<AxisVector> return_point() const noexcept;
+  /// Returns what a new process has to know; in motion, and where it is not known, with the mark.
+  MachineState state();
+
+ private:
+  static constexpr double kStandstill = 1e-6;  // mm/s: rounding, where a move ends
+
+  struct Switch {
+    int axis, direction;
+  };
+
+  Result<bool> asked(Request request) const;
+  Result<bool> may_run(Request request) const;
+  void begin_session(const MachineState& state);
+  Status run(std::string_view text, bool is_program);
+  Status judge(std::string_view text);
+  bool leads_off_switch(const Jog& jog) const noexcept;
+  void move_by_hand(const AxisVector& to, double feed);
+  void pause_motion();
+  std::int64_t periods_to_speed() const noexcept;
+  void go_on();
+  void end_in(MachineMode mode);
+  void ended();
+  void raise_alarm();
+  std::optional<Row> step_of(Session& session);
+  void settle_jog();
+  void settle_program();
+
+  const Machine& machine_;
+  const Machine free_machine_;  // without ends of travel
+  ChannelOptions options_;
+  hal::Backend& backend_;
+  std::unique_ptr<hal::Backend> nowhere_;  // of what is only judged
+  RowSink* sink_;
+  Diagnostics::Sink report_;
+  MachineMode mode_ = MachineMode::idle;
+  std::optional<Session> session_;  // of lines and programs
+  std::optional<Session> jog_;
+  std::optional<Session> judged_;            // in Check
+  AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
+  OpenText open_;
+  Setpoint last_;
+  bool begun_ = false;  // there is a last row
+  bool known_;          // the position
+  Outputs outputs_, before_door_;
+  bool running_ = false, is_program_ = false;
+  bool paused_ = false;                  // by the program
+  std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
+  bool returning_ = false;               // to that place
+  std::optional<MachineMode> rests_in_;  // once the machine is at rest,
+  bool resets_ = false;                  // and then all modes begin anew
+  bool door_open_ = false;
+  std::int64_t waits_ = 0;        // periods: for the spindle
+  std::optional<Switch> switch_;  // at an end of an axis
+  double feed_override_ = 1, rapid_override_ = 1;
+  std::vector<double> values_;  // of the row of an alarm
+};
+
+}  // namespace softcnc::runtime

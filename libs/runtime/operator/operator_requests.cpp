@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Moves by hand, what stops the machine, and how it goes on.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "runtime/operator/operator.hpp"
+#include "runtime/operator/refusal.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+constexpr double kSlowJog = 5;  // mm/s: where the position is not known, or off a limit switch
+
+Block jog_block(const AxisVector& from, const AxisVector& to, double feed) {
+  Move move{Line(from, to), feed == 0, feed, PathMode::stop};
+  move.feed_override = false;
+  return {move};
+}
+
+ChannelOptions of_jog(const ChannelOptions& options, const AxisVector& place) {
+  ChannelOptions of_jog;
+  of_jog.state = options.state;
+  of_jog.state.position = KeptPosition{place};
+  return of_jog;
+}
+
+}  // namespace
+
+// By hand -----------------------------------------------------------------------------------------
+
+/// Off a limit switch leads only a jog of its axis, away from it.
+bool Operator::leads_off_switch(const Jog& jog) const noexcept {
+  if (!switch_) return false;
+  AxisVector others = jog.distance;
+  others[switch_->axis] = 0;
+  return others.isZero(0) && jog.distance[switch_->axis] * switch_->direction < 0;
+}
+
+Status Operator::jog(const Jog& jog) {
+  if (const auto acts = asked(Request::jog); !acts) return tl::make_unexpected(acts.error());
+  if (mode_ == MachineMode::alarm && !leads_off_switch(jog))
+    return refusal(switch_ ? "jog: only away from the limit switch" : "jog: not while in Alarm");
+  const bool stops = jog_ ? !jog_->takes_more() : mode_ == MachineMode::hold && moving();
+  if (stops) return refusal("jog: not at rest yet");
+  const bool slow = !known_ || mode_ == MachineMode::alarm;
+  const auto to = softcnc::runtime::jog_end(jog, jog_ ? jog_end_ : last_.position,
+                                            known_ ? machine_ : free_machine_);
+  if (!to) return tl::make_unexpected(to.error());
+  if (mode_ == MachineMode::hold && running_ && !left_) left_ = last_.position;
+  if (mode_ == MachineMode::idle) mode_ = MachineMode::jog;
+  move_by_hand(*to, slow ? std::min(jog.feed, kSlowJog) : jog.feed);
+  return {};
+}
+
+/// A feed of 0 stands for a rapid.
+void Operator::move_by_hand(const AxisVector& to, double feed) {
+  if (!jog_) {
+    jog_.emplace(known_ ? machine_ : free_machine_, of_jog(options_, last_.position), backend_,
+                 sink_, report_);
+    if (begun_) jog_->count_on_from(last_);
+    jog_end_ = last_.position;
+  }
+  if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
+  jog_->rest();
+  jog_end_ = to;
+}
+
+Status Operator::cancel() {
+  const auto acts = asked(Request::cancel);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (jog_) jog_->abort();
+  return {};
+}
+
+// Stopping and going on ---------------------------------------------------------------------------
+
+/// Brings to rest what moves, so that it can go on.
+void Operator::pause_motion() {
+  if (jog_)
+    jog_->abort();
+  else if (running_)
+    session_->hold();
+}
+
+Status Operator::hold() {
+  const auto acts = asked(Request::hold);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (!*acts) return {};
+  pause_motion();
+  returning_ = false;
+  if (mode_ != MachineMode::jog) mode_ = MachineMode::hold;
+  return {};
+}
+
+std::optional<AxisVector> Operator::return_point() const noexcept {
+  return left_ && *left_ != last_.position ? left_ : std::nullopt;
+}
+
+Status Operator::resume() {
+  const auto acts = asked(Request::resume);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (!*acts) return {};
+  if (jog_) return refusal("resume: a jog has not ended yet");
+  if (mode_ == MachineMode::door) {
+    if (door_open_) return refusal("resume: the door is open");
+    outputs_ = before_door_;
+    waits_ = periods_to_speed();
+  }
+  if (!running_) {
+    mode_ = MachineMode::idle;
+    return {};
+  }
+  mode_ = MachineMode::run;
+  if (const auto back = return_point()) {
+    returning_ = true;
+    move_by_hand(*back, 0);
+  } else {
+    go_on();
+  }
+  return {};
+}
+
+/// How long the spindle takes to its speed from standstill.
+std::int64_t Operator::periods_to_speed() const noexcept {
+  if (machine_.spindle.acceleration <= 0) return 0;
+  const double seconds = std::abs(outputs_.spindle_rpm) / machine_.spindle.acceleration;
+  return static_cast<std::int64_t>(std::ceil(seconds / machine_.control.period));
+}
+
+void Operator::go_on() {
+  left_.reset();
+  returning_ = false;
+  if (waits_ > 0) return;
+  if (std::exchange(paused_, false)) return session_->resume();
+  session_->resume();
+}
+
+/// Ends what runs, in this state once the machine is at rest.
+void Operator::end_in(MachineMode mode) {
+  rests_in_ = mode;
+  if (jog_)
+    jog_->abort();
+  else if (running_ && moving())
+    session_->abort();
+  else
+    ended();
+}
+
+void Operator::ended() {
+  if (std::exchange(resets_, false)) outputs_ = {};
+  open_.forget();
+  waits_ = 0;
+  begin_session(state());
+  mode_ = *std::exchange(rests_in_, std::nullopt);
+}
+
+Status Operator::abort() {
+  const auto acts = asked(Request::abort);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (*acts) end_in(mode_rule(mode_, Request::abort).next);
+  return {};
+}
+
+Status Operator::reset() {
+  const auto acts = asked(Request::reset);
+  if (!acts) return tl::make_unexpected(acts.error());
+  judged_.reset();
+  resets_ = true;
+  const bool stops = jog_ || moving();
+  end_in(stops ? MachineMode::alarm : mode_rule(mode_, Request::reset).next);
+  return {};
+}
+
+Status Operator::door() {
+  door_open_ = true;
+  const auto acts = asked(Request::door);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (!*acts) return {};
+  pause_motion();
+  returning_ = false;
+  before_door_ = std::exchange(outputs_, {});
+  mode_ = MachineMode::door;
+  return {};
+}
+
+Status Operator::unlock() {
+  const auto acts = asked(Request::unlock);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (!*acts) return {};
+  if (jog_) return refusal("unlock: a jog has not ended yet");
+  if (switch_) return refusal("unlock: jog away from the limit switch first");
+  mode_ = MachineMode::idle;
+  return {};
+}
+
+Status Operator::check() {
+  const auto acts = asked(Request::check);
+  if (!acts) return tl::make_unexpected(acts.error());
+  judged_.reset();
+  if (std::exchange(mode_, mode_rule(mode_, Request::check).next) == MachineMode::check) return {};
+  options_.state = state();
+  judged_.emplace(machine_, options_, *nowhere_, nullptr, report_);
+  return {};
+}
+
+Status Operator::sleep() {
+  const auto acts = asked(Request::sleep);
+  if (!acts) return tl::make_unexpected(acts.error());
+  if (!*acts) return {};
+  if (jog_) return refusal("sleep: a jog has not ended yet");
+  outputs_ = {};
+  begin_session(state());
+  mode_ = MachineMode::sleep;
+  return {};
+}
+
+void Operator::estop() { raise_alarm(); }
+
+/// Drives that have lost their power have stopped short of the last setpoint.
+void Operator::raise_alarm() {
+  const auto actual = backend_.actual();
+  const bool is_measured = backend_.instants() > 0 && !actual.empty();
+  const MachineState before = state();
+  if (is_measured) last_.position = actual.back();
+  last_.v = last_.a = 0;
+  known_ = known_ && is_measured;
+  outputs_ = {};
+  jog_.reset();
+  judged_.reset();
+  rests_in_.reset();
+  resets_ = false;
+  waits_ = 0;
+  open_.forget();
+  begin_session(before);
+  mode_ = MachineMode::alarm;
+}
+
+void Operator::limit_switch(int axis, int direction) {
+  if (axis < 0 || axis >= kAxes || direction == 0) return;
+  switch_ = {axis, direction};
+  if (mode_ != MachineMode::sleep) end_in(MachineMode::alarm);
+}
+
+void Operator::set_feed_override(double feed_override) noexcept {
+  if (std::isnan(feed_override)) return;
+  constexpr double kLeast = 0.1;
+  feed_override_ = std::clamp(feed_override, kLeast, kLargestOverride);
+  session_->set_feed_override(feed_override_);
+}
+
+void Operator::set_rapid_override(double rapid_override) noexcept {
+  if (std::isnan(rapid_override)) return;
+  rapid_override_ = std::clamp(rapid_override, kSmallestRapid, kLargestRapid);
+  session_->set_rapid_override(rapid_override_);
+}
+
+Status Operator::set_position(const AxisVector& place) {
+  const bool rests = mode_ == MachineMode::idle || mode_ == MachineMode::alarm;
+  if (!rests || jog_) return refusal("set_position: only at rest, in Idle or Alarm");
+  if (!is_near(place)) return refusal("set_position: no such place");
+  const MachineState before = state();
+  last_.position = place;
+  known_ = true;
+  begin_session(before);
+  return {};
+}
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// What stops a machine: emergency stop, limit switch, door, reset; and what is possible afterwards.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "support/operated.hpp"
+
+using namespace softcnc;
+using namespace softcnc::runtime;
+using namespace softcnc::test;
+
+namespace {
+
+constexpr std::string_view kCut = "S6000 M03 M08\nG01 X100 F3000\nM30\n";
+
+}  // namespace
+
+TEST_CASE("an emergency stop ends rows at once, and the position is not known",
+          "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.start(kCut));
+  desk.run(500);
+  REQUIRE(desk.operated.moving());
+  desk.operated.estop();
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+  CHECK_FALSE(desk.operated.step());
+  CHECK_FALSE(desk.operated.knows_position());
+  CHECK(desk.operated.outputs() == Outputs());
+  CHECK(desk.operated.state().position->in_motion);
+  CHECK_FALSE(desk.operated.jog({AxisVector(1, 0, 0), 50}));
+  REQUIRE(desk.operated.unlock());
+  const Status refused = desk.operated.line("G01 X1 F600\n");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == Code::SC5070);
+  REQUIRE(desk.operated.jog({AxisVector(-2000, 0, 0), 100}));  // no end of travel counts
+  desk.run(2000);
+  CHECK(desk.operated.last().v == Approx(5));
+  REQUIRE(desk.operated.cancel());
+  desk.rest();
+  REQUIRE(desk.operated.set_position(AxisVector(1, 2, 3)));
+  CHECK(desk.operated.state().position == KeptPosition{AxisVector(1, 2, 3)});
+  REQUIRE(desk.operated.line("G91 G01 X1 F600\n"));
+  desk.rest();
+  CHECK((desk.operated.position() - AxisVector(2, 2, 3)).norm() < 1e-9);
+}
+
+TEST_CASE("counters know the position after an emergency stop", "[runtime][operator]") {
+  Desk desk(BackendKind::sim);
+  REQUIRE(desk.operated.start(kCut));
+  desk.run(500);
+  const double commanded = desk.operated.position().x();
+  desk.operated.estop();
+  CHECK(desk.operated.knows_position());
+  CHECK(desk.operated.position().x() < commanded);  // the servo lags
+  CHECK(desk.operated.position().x() > commanded - 3);
+  CHECK_FALSE(desk.operated.state().position->in_motion);
+}
+
+TEST_CASE("from a limit switch only a slow jog away from it leads", "[runtime][operator]") {
+  Desk desk(BackendKind::none, 20'000);
+  REQUIRE(desk.operated.start(kCut));
+  desk.run(500);
+  desk.operated.limit_switch(0, 1);
+  CHECK(desk.operated.moving());  // it stops within the limits
+  desk.run(1000);
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+  CHECK(desk.operated.knows_position());
+  CHECK_FALSE(desk.operated.unlock());
+  CHECK_FALSE(desk.operated.jog({AxisVector(1, 0, 0), 50}));
+  CHECK_FALSE(desk.operated.jog({AxisVector(-1, 1, 0), 50}));
+  REQUIRE(desk.operated.jog({AxisVector(-2, 0, 0), 50}));
+  desk.run(300);
+  CHECK(desk.operated.last().v == Approx(5));
+  desk.run(2000);
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+  REQUIRE(desk.operated.unlock());
+  REQUIRE(desk.operated.jog({AxisVector(1, 1, 0), 50}));
+  desk.rest();
+  desk.check_limits();
+}
+
+TEST_CASE("an open door stops and switches off, and resume waits for the spindle",
+          "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  desk.machine.spindle.acceleration = 6000;
+  Desk slow(desk.machine);
+  REQUIRE(slow.operated.start(kCut));
+  slow.run(1500);  // 1 s of them for the spindle
+  CHECK(slow.operated.outputs().spindle_rpm == 6000);
+  CHECK(slow.operated.outputs().flood);
+  REQUIRE(slow.operated.door());
+  CHECK(slow.operated.outputs() == Outputs());
+  slow.run(500);
+  CHECK_FALSE(slow.operated.moving());
+  const double left = slow.operated.position().x();
+  CHECK_FALSE(slow.operated.resume());
+  slow.operated.door_closed();
+  REQUIRE(slow.operated.resume());
+  CHECK(slow.operated.outputs().spindle_rpm == 6000);
+  slow.run(998);
+  CHECK(slow.operated.position().x() == left);
+  slow.run(20);
+  CHECK(slow.operated.position().x() > left);
+  slow.rest();
+  CHECK(slow.operated.position().x() == Approx(100));
+  CHECK(slow.operated.outputs() == Outputs());  // M30
+  slow.check_limits();
+}
+
+TEST_CASE("a reset in motion stops within the limits and ends in Alarm", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.line("G91\nM03 S100\n"));
+  desk.rest();
+  CHECK(desk.operated.outputs().spindle_rpm == 100);
+  REQUIRE(desk.operated.line("G01 X100 F3000\n"));
+  desk.run(500);
+  REQUIRE(desk.operated.reset());
+  desk.run(500);
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+  CHECK(desk.operated.knows_position());
+  CHECK(desk.operated.outputs() == Outputs());
+  REQUIRE(desk.operated.unlock());
+  REQUIRE(desk.operated.line("G01 X5 F3000\n"));  // G90 again
+  desk.rest();
+  CHECK(desk.operated.position().x() == Approx(5));
+  desk.check_limits();
+}
+
+TEST_CASE("lines are judged in Check, and nothing moves", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.check());
+  REQUIRE(desk.operated.line("G91 G01 X600 F3000\n"));
+  CHECK(desk.errors.empty());
+  REQUIRE(desk.operated.line("X600\n"));  // the place of the line before counts
+  CHECK(desk.errors == std::vector{Code::SC4001});
+  REQUIRE(desk.operated.start("G01 X5\nM00\nG01 Q\n"));
+  CHECK(desk.errors.size() > 1);
+  CHECK(desk.rows() == 0);
+  REQUIRE(desk.operated.check());
+  CHECK(desk.operated.mode() == MachineMode::idle);
+  CHECK(desk.operated.position().norm() == 0);
+}
+
+TEST_CASE("touch-off sets the active work system", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.line("G20 G55\n"));  // in inches
+  desk.rest();
+  REQUIRE(desk.operated.jog({AxisVector(10, 20, -5), 50}));
+  desk.rest();
+  REQUIRE(desk.operated.touch_off(0, 2.5));
+  desk.rest();
+  CHECK(desk.operated.state().work[1].origin.x() == Approx(7.5));
+  CHECK(desk.operated.state().work[0].origin.x() == 0);
+  CHECK_FALSE(desk.operated.touch_off(3, 1));
+  REQUIRE(desk.operated.line("G21 G90 G01 X0 F600\n"));
+  desk.rest();
+  CHECK(desk.operated.position().x() == Approx(7.5));
+}
