@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A console for single lines, as the MDI of a control: each line of standard input is run, a wrong
-// one is reported and changes nothing, and the offsets of earlier sessions come from a state file
-// and go back to it:
+// one is reported and changes nothing, and place and offsets of earlier sessions come from a state
+// file and go back to it:
 //
 //   echo 'G01 X10 F600' | 07_mdi offsets.toml
 #include <fstream>
