@@ -36,11 +36,11 @@ TEST_CASE("an emergency stop ends rows at once, and the position is not known",
   desk.run(2000);
   CHECK(desk.operated.last().v == Approx(5));
   REQUIRE(desk.operated.cancel());
-  desk.rest();
+  desk.settle();
   REQUIRE(desk.operated.set_position(AxisVector(1, 2, 3)));
   CHECK(desk.operated.state().position == KeptPosition{AxisVector(1, 2, 3)});
   REQUIRE(desk.operated.line("G91 G01 X1 F600\n"));
-  desk.rest();
+  desk.settle();
   CHECK((desk.operated.position() - AxisVector(2, 2, 3)).norm() < 1e-9);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("from a limit switch only a slow jog away from it leads", "[runtime][o
   CHECK(desk.operated.mode() == MachineMode::alarm);
   REQUIRE(desk.operated.unlock());
   REQUIRE(desk.operated.jog({AxisVector(1, 1, 0), 50}));
-  desk.rest();
+  desk.settle();
   desk.check_limits();
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("an open door stops and switches off, and resume waits for the spindle
   CHECK(slow.operated.position().x() == left);
   slow.run(20);
   CHECK(slow.operated.position().x() > left);
-  slow.rest();
+  slow.settle();
   CHECK(slow.operated.position().x() == Approx(100));
   CHECK(slow.operated.outputs() == Outputs());  // M30
   slow.check_limits();
@@ -110,7 +110,7 @@ TEST_CASE("an open door stops and switches off, and resume waits for the spindle
 TEST_CASE("a reset in motion stops within the limits and ends in Alarm", "[runtime][operator]") {
   Desk desk(BackendKind::none);
   REQUIRE(desk.operated.line("G91\nM03 S100\n"));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.outputs().spindle_rpm == 100);
   REQUIRE(desk.operated.line("G01 X100 F3000\n"));
   desk.run(500);
@@ -121,7 +121,7 @@ TEST_CASE("a reset in motion stops within the limits and ends in Alarm", "[runti
   CHECK(desk.operated.outputs() == Outputs());
   REQUIRE(desk.operated.unlock());
   REQUIRE(desk.operated.line("G01 X5 F3000\n"));  // G90 again
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.position().x() == Approx(5));
   desk.check_limits();
 }
@@ -144,15 +144,15 @@ TEST_CASE("lines are judged in Check, and nothing moves", "[runtime][operator]")
 TEST_CASE("touch-off sets the active work system", "[runtime][operator]") {
   Desk desk(BackendKind::none);
   REQUIRE(desk.operated.line("G20 G55\n"));  // in inches
-  desk.rest();
+  desk.settle();
   REQUIRE(desk.operated.jog({AxisVector(10, 20, -5), 50}));
-  desk.rest();
+  desk.settle();
   REQUIRE(desk.operated.touch_off(0, 2.5));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.state().work[1].origin.x() == Approx(7.5));
   CHECK(desk.operated.state().work[0].origin.x() == 0);
   CHECK_FALSE(desk.operated.touch_off(3, 1));
   REQUIRE(desk.operated.line("G21 G90 G01 X0 F600\n"));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.position().x() == Approx(7.5));
 }

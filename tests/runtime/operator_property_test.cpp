@@ -108,7 +108,7 @@ void request_something(Desk& desk, Chance& chance) {
 /// Leads the machine to Idle as an operator would, from wherever it is.
 void come_to_idle(Desk& desk) {
   Operator& operated = desk.operated;
-  desk.rest();
+  desk.settle();
   desk.run(20'000, [&] { return !operated.moving() && operated.mode() != MachineMode::jog; });
   if (operated.mode() == MachineMode::check) REQUIRE(operated.check());
   operated.door_closed();
@@ -144,7 +144,7 @@ TEST_CASE("no operator makes the machine exceed a limit, lose rows or hang",
     come_to_idle(desk);
     CHECK(desk.operated.knows_position());
     REQUIRE(desk.operated.line("G90 G00 X1 Y2 Z3\n"));
-    desk.rest();
+    desk.settle();
     CHECK(desk.operated.position().x() ==
           Approx(1 + desk.operated.state().work[0].origin.x()).margin(1e-9));
     desk.check_limits();
@@ -162,7 +162,7 @@ TEST_CASE("a program that is held, slowed down and left by hand ends where it wo
     const std::string program = random_lines(chance, 6) + "M30\n";
     Desk undisturbed(kind, jerk), desk(kind, jerk);
     REQUIRE(undisturbed.operated.start(program));
-    undisturbed.rest();
+    undisturbed.settle();
     REQUIRE(desk.operated.start(program));
     while (desk.operated.mode() != MachineMode::idle) {
       desk.run(chance.below(600));
@@ -178,7 +178,7 @@ TEST_CASE("a program that is held, slowed down and left by hand ends where it wo
       }
       desk.run(20'000, [&] { return desk.operated.resume().has_value(); });
     }
-    desk.rest();
+    desk.settle();
     CHECK(desk.operated.mode() == MachineMode::idle);
     CHECK(desk.operated.position() == undisturbed.operated.position());
     if (kind == BackendKind::stepdir)  // counts of pulses

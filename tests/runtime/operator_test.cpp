@@ -118,7 +118,7 @@ TEST_CASE("jogs follow each other, stay within the travel, and end on request",
   REQUIRE(desk.operated.jog({AxisVector(5, 0, 0), 50}));
   REQUIRE(desk.operated.jog({AxisVector(0, -3, 1), 50}));
   CHECK(desk.operated.mode() == MachineMode::jog);
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);
   CHECK((desk.operated.position() - AxisVector(5, -3, 1)).norm() < 1e-9);
   const Status beyond = desk.operated.jog({AxisVector(5000, 0, 0), 50});
@@ -135,17 +135,17 @@ TEST_CASE("jogs follow each other, stay within the travel, and end on request",
   desk.run(3000);
   CHECK(desk.operated.last().v == Approx(250));  // an axis is no faster
   REQUIRE(desk.operated.cancel());
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);
   REQUIRE(desk.operated.jog({AxisVector(0, 1, 0), 250, true}));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.position().y() == Approx(1000));
   REQUIRE(desk.operated.line("G91 G01 X1 F600\nX1\n"));  // G91 stays in force
-  desk.rest();
+  desk.settle();
   REQUIRE(desk.operated.jog({AxisVector(3, 0, 0), 50}));
-  desk.rest();
+  desk.settle();
   REQUIRE(desk.operated.line("X1\n"));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.position().x() == Approx(5 + 2 + 3 + 1));
   desk.check_limits();
 }
@@ -155,18 +155,18 @@ TEST_CASE("lines that open a loop or a subprogram wait until it is closed", "[ru
   for (const char* line : {"G91 F600", "#1=0", "o1 while [#1 LT 3] (while)", "G01 X1",
                            "o2 if [#1 EQ 1]", "Y1", "o2 endif", "#1=[#1+1]"}) {
     REQUIRE(desk.operated.line(line));
-    desk.rest();
+    desk.settle();
   }
   CHECK(desk.operated.is_line_open());
   CHECK(desk.operated.position().norm() == 0);
   REQUIRE(desk.operated.line("o1 endwhile"));
   CHECK_FALSE(desk.operated.is_line_open());
-  desk.rest();
+  desk.settle();
   CHECK((desk.operated.position() - AxisVector(3, 1, 0)).norm() < 1e-9);
   REQUIRE(desk.operated.line("o3 do\n#1=[#1-1]\nX-1"));
   CHECK(desk.operated.is_line_open());
   REQUIRE(desk.operated.line("o3 while [#1 GT 0]"));
-  desk.rest();
+  desk.settle();
   CHECK((desk.operated.position() - AxisVector(0, 1, 0)).norm() < 1e-9);
   REQUIRE(desk.operated.line("o4 sub"));
   REQUIRE(desk.operated.reset());  // drops what is open
@@ -177,14 +177,14 @@ TEST_CASE("a line in error leaves the machine where it is, and the next one runs
           "[runtime][operator]") {
   Desk desk(BackendKind::none);
   REQUIRE(desk.operated.line("G91 G01 X2 F600\nG01 Q\n"));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);
   CHECK(desk.errors == std::vector{Code::SC1002});
   REQUIRE(desk.operated.line("X3\n"));
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.position().x() == Approx(5));
   REQUIRE(desk.operated.line("X-2 Y1001\n"));  // beyond the travel
-  desk.rest();
+  desk.settle();
   CHECK(desk.errors.back() == Code::SC4001);
   CHECK(desk.operated.position().x() == Approx(5));
 }
@@ -192,7 +192,7 @@ TEST_CASE("a line in error leaves the machine where it is, and the next one runs
 TEST_CASE("in Hold the operator jogs away, and resume comes back first", "[runtime][operator]") {
   Desk undisturbed(BackendKind::stepdir, 20'000), desk(BackendKind::stepdir, 20'000);
   REQUIRE(undisturbed.operated.start(kProgram));
-  undisturbed.rest();
+  undisturbed.settle();
   REQUIRE(desk.operated.start(kProgram));
   desk.run(700);
   REQUIRE(desk.operated.hold());
@@ -210,7 +210,7 @@ TEST_CASE("in Hold the operator jogs away, and resume comes back first", "[runti
   REQUIRE(desk.operated.return_point());
   CHECK(*desk.operated.return_point() == left);
   REQUIRE(desk.operated.resume());
-  desk.rest();
+  desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);
   CHECK(desk.operated.position() == undisturbed.operated.position());
   CHECK(desk.backend->settle() == undisturbed.backend->settle());  // counts of pulses
@@ -231,7 +231,7 @@ TEST_CASE("abort in Hold ends the program where the machine is", "[runtime][oper
   CHECK(desk.operated.state().work[1].origin.x() == 7);
   CHECK(desk.operated.state().work[2].origin.x() == 0);  // that line was not reached
   REQUIRE(desk.operated.line("G91 G01 X1 F600\n"));
-  desk.rest();
+  desk.settle();
   CHECK((desk.operated.position() - there - AxisVector(1, 0, 0)).norm() < 1e-9);
   desk.check_limits();
 }

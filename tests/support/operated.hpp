@@ -47,7 +47,7 @@ class Desk final : public runtime::RowSink {
     for (int i = 0; i < count && !until(); ++i) operated.step();
   }
   /// Until nothing moves any more; at most a quarter of an hour.
-  void rest() {
+  void settle() {
     const auto is_idle = [this] {
       return operated.mode() != runtime::MachineMode::run &&
              operated.mode() != runtime::MachineMode::jog;
