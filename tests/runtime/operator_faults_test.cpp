@@ -156,3 +156,49 @@ TEST_CASE("touch-off sets the active work system", "[runtime][operator]") {
   desk.settle();
   CHECK(desk.operated.position().x() == Approx(7.5));
 }
+
+TEST_CASE("an open door is not forgotten", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  desk.operated.estop();
+  REQUIRE(desk.operated.door());
+  REQUIRE(desk.operated.unlock());
+  CHECK(desk.operated.mode() == MachineMode::door);
+  CHECK_FALSE(desk.operated.line("G01 X1 F600\n"));
+  desk.operated.door_closed();
+  REQUIRE(desk.operated.resume());
+  CHECK(desk.operated.mode() == MachineMode::idle);
+}
+
+TEST_CASE("nothing takes back an Alarm that is to come", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.line("G01 X100 F3000\n"));
+  desk.run(500);
+  desk.operated.limit_switch(0, 1);
+  CHECK_FALSE(desk.operated.line("X0\n"));
+  REQUIRE(desk.operated.abort());
+  desk.run(1000);
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+}
+
+TEST_CASE("a hold of lines that are done holds nothing later", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.line("G90\n"));
+  REQUIRE(desk.operated.hold());
+  desk.run(10);
+  static_cast<void>(desk.operated.resume());
+  REQUIRE(desk.operated.line("G01 X5 F600\n"));
+  desk.settle();
+  CHECK(desk.operated.position().x() == Approx(5));
+}
+
+TEST_CASE("a position that is set makes no pulses", "[runtime][operator]") {
+  const BackendKind kind = GENERATE(BackendKind::stepdir, BackendKind::sim);
+  Desk desk(kind);
+  REQUIRE(desk.operated.line("G01 X50 F3000\n"));
+  desk.settle();
+  REQUIRE(desk.operated.set_position(AxisVector(0, 0, 0)));
+  REQUIRE(desk.operated.line("G01 X1 F600\n"));
+  desk.settle();
+  CHECK(desk.operated.mode() == MachineMode::idle);  // and no alarm
+  CHECK(desk.backend->settle().x() == Approx(1).margin(0.003));
+}

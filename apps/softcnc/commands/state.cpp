@@ -21,7 +21,7 @@ namespace {
 std::string axes_text(const AxisVector& place) {
   std::string text;
   for (std::size_t axis = 0; axis < kAxes; ++axis)
-    text += fmt::format("{}{:<12}", kAxisLetters[axis],
+    text += fmt::format("{}{:<11} ", kAxisLetters[axis],
                         hal::number_text(place[static_cast<Eigen::Index>(axis)]));
   text.erase(text.find_last_not_of(' ') + 1);
   return text;

@@ -51,6 +51,9 @@ class Backend {
   /// Is called where the machine is at rest and the next exchange may take long.
   virtual void rest() noexcept {}
 
+  /// The next setpoint says again where the machine stands, as the first one did.
+  virtual void begin_again() noexcept {}
+
   /// Writes what is left. Call once after the last exchange; without it a backend that writes a
   /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of
   /// PortPlayer::finish().

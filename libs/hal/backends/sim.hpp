@@ -24,6 +24,7 @@ class SimulatedMill final : public Backend {
   explicit SimulatedMill(const Machine& machine);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
+  void begin_again() noexcept override { started_ = false; }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
   /// path, actual position (mm), path minus actual (um) and motor current (A).

@@ -25,6 +25,7 @@ class StepDir final : public Backend {
   StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
+  void begin_again() noexcept override { started_ = false; }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
   /// path, and of the pulses so far, as counts of that position.

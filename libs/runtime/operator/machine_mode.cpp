@@ -20,7 +20,7 @@ const ModeRule& mode_rule(MachineMode mode, Request request) noexcept {
       //              line       start      jog        cancel     hold      resume   abort     reset      door      unlock    check      sleep
       /* Idle */  {to(run),   to(run),   to(jog),   nil,       to(hold), nil,     nil,      to(idle),  to(door), nil,      to(check), to(sleep)},
       /* Run */   {to(run),   no,        no,        nil,       to(hold), nil,     to(idle), to(alarm), to(door), nil,      no,        no},
-      /* Hold */  {no,        no,        to(hold),  to(hold),  nil,      to(run), to(idle), to(idle),  to(door), nil,      no,        no},
+      /* Hold */  {no,        no,        to(hold),  to(hold),  to(hold), to(run), to(idle), to(idle),  to(door), nil,      no,        no},
       /* Jog */   {no,        no,        to(jog),   to(idle),  to(idle), nil,     to(idle), to(alarm), to(door), nil,      no,        no},
       /* Alarm */ {no,        no,        to(alarm), to(alarm), nil,      nil,     nil,      to(alarm), nil,      to(idle), no,        to(sleep)},
       /* Check */ {to(check), to(check), no,        nil,       nil,      nil,     nil,      to(idle),  nil,      nil,      to(idle),  no},

@@ -72,12 +72,14 @@ Result<bool> Operator::may_run(Request request) const {
 Status Operator::line(std::string_view text) {
   if (const auto acts = may_run(Request::line); !acts) return tl::make_unexpected(acts.error());
   if (is_program_ || returning_) return refusal("line: a program is running");
+  if (rests_in_) return refusal("line: the machine is stopping");
   const std::string whole = open_.add(text);
   return whole.empty() ? Status() : run(whole, false);
 }
 
 Status Operator::start(std::string_view program) {
   if (const auto acts = may_run(Request::start); !acts) return tl::make_unexpected(acts.error());
+  open_.forget();
   if (mode_ != MachineMode::check) begin_session(state());
   return run(program, true);
 }
@@ -107,6 +109,7 @@ Status Operator::judge(std::string_view text) {
 
 Status Operator::touch_off(int axis, double value) {
   if (axis < 0 || axis >= kAxes || !is_near(value)) return refusal("touch_off: no such place");
+  if (open_.is_open()) return refusal("touch_off: lines are open");
   const std::string number = hal::number_text(value / session_->mm_per_unit());
   return line("G10 L20 P0 " + std::string(1, kAxisLetters[static_cast<std::size_t>(axis)]) + "[" +
               number + "]\n");
@@ -160,8 +163,9 @@ void Operator::settle_program() {
     begin_session(state());
   else
     session_->go_on();
+  session_->resume();  // where nothing runs, nothing is held
   running_ = is_program_ = paused_ = false;
-  if (mode_ != MachineMode::door) mode_ = MachineMode::idle;
+  mode_ = mode_ == MachineMode::door ? mode_ : idle_or_door();
 }
 
 MachineState Operator::state() {

@@ -84,7 +84,7 @@ class Operator {
 
   void set_feed_override(double feed_override) noexcept;
   void set_rapid_override(double rapid_override) noexcept;
-  /// Count from the next line or program on.
+  /// Count from the next program on.
   void set_block_skip(bool on) noexcept { options_.interpreter.block_skip = on; }
   void set_optional_stop(bool on) noexcept { options_.interpreter.optional_stop = on; }
   void set_single_block(bool on) noexcept { options_.single_block = on; }
@@ -131,6 +131,9 @@ class Operator {
   void pause_motion();
   std::int64_t periods_to_speed() const noexcept;
   void go_on();
+  MachineMode idle_or_door() const noexcept {
+    return door_open_ ? MachineMode::door : MachineMode::idle;
+  }
   void end_in(MachineMode mode);
   void ended();
   void raise_alarm();

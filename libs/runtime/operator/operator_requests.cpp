@@ -59,6 +59,7 @@ void Operator::move_by_hand(const AxisVector& to, double feed) {
     jog_.emplace(known_ ? machine_ : free_machine_, of_jog(options_, last_.position), backend_,
                  sink_, report_);
     if (begun_) jog_->count_on_from(last_);
+    jog_->set_rapid_override(rapid_override_);  // of the way back
     jog_end_ = last_.position;
   }
   if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
@@ -105,12 +106,13 @@ Status Operator::resume() {
   if (mode_ == MachineMode::door) {
     if (door_open_) return refusal("resume: the door is open");
     outputs_ = before_door_;
-    waits_ = periods_to_speed();
   }
   if (!running_) {
+    session_->resume();
     mode_ = MachineMode::idle;
     return {};
   }
+  if (mode_ == MachineMode::door) waits_ = periods_to_speed();
   mode_ = MachineMode::run;
   if (const auto back = return_point()) {
     returning_ = true;
@@ -132,13 +134,13 @@ void Operator::go_on() {
   left_.reset();
   returning_ = false;
   if (waits_ > 0) return;
-  if (std::exchange(paused_, false)) return session_->resume();
+  paused_ = false;
   session_->resume();
 }
 
 /// Ends what runs, in this state once the machine is at rest.
 void Operator::end_in(MachineMode mode) {
-  rests_in_ = mode;
+  rests_in_ = rests_in_ == MachineMode::alarm ? MachineMode::alarm : mode;
   if (jog_)
     jog_->abort();
   else if (running_ && moving())
@@ -152,7 +154,8 @@ void Operator::ended() {
   open_.forget();
   waits_ = 0;
   begin_session(state());
-  mode_ = *std::exchange(rests_in_, std::nullopt);
+  const MachineMode mode = *std::exchange(rests_in_, std::nullopt);
+  mode_ = mode == MachineMode::idle ? idle_or_door() : mode;
 }
 
 Status Operator::abort() {
@@ -190,7 +193,7 @@ Status Operator::unlock() {
   if (!*acts) return {};
   if (jog_) return refusal("unlock: a jog has not ended yet");
   if (switch_) return refusal("unlock: jog away from the limit switch first");
-  mode_ = MachineMode::idle;
+  mode_ = idle_or_door();
   return {};
 }
 
@@ -198,7 +201,11 @@ Status Operator::check() {
   const auto acts = asked(Request::check);
   if (!acts) return tl::make_unexpected(acts.error());
   judged_.reset();
-  if (std::exchange(mode_, mode_rule(mode_, Request::check).next) == MachineMode::check) return {};
+  if (mode_ == MachineMode::check) {
+    mode_ = idle_or_door();
+    return {};
+  }
+  mode_ = MachineMode::check;
   options_.state = state();
   judged_.emplace(machine_, options_, *nowhere_, nullptr, report_);
   return {};
@@ -224,6 +231,7 @@ void Operator::raise_alarm() {
   const MachineState before = state();
   if (is_measured) last_.position = actual.back();
   last_.v = last_.a = 0;
+  backend_.begin_again();
   known_ = known_ && is_measured;
   outputs_ = {};
   jog_.reset();
@@ -262,6 +270,7 @@ Status Operator::set_position(const AxisVector& place) {
   const MachineState before = state();
   last_.position = place;
   known_ = true;
+  backend_.begin_again();
   begin_session(before);
   return {};
 }
