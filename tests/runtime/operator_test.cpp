@@ -210,6 +210,8 @@ TEST_CASE("in Hold the operator jogs away, and resume comes back first", "[runti
   REQUIRE(desk.operated.return_point());
   CHECK(*desk.operated.return_point() == left);
   REQUIRE(desk.operated.resume());
+  desk.run(50);
+  REQUIRE(desk.operated.cancel());  // is ignored in Run
   desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);
   CHECK(desk.operated.position() == undisturbed.operated.position());

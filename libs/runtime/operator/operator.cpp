@@ -6,17 +6,10 @@
 #include <utility>
 
 #include "hal/files/number.hpp"
+#include "runtime/check/check.hpp"
 #include "runtime/operator/refusal.hpp"
 
 namespace softcnc::runtime {
-namespace {
-
-std::unique_ptr<hal::Backend> nowhere(Machine machine) {
-  machine.control.backend = BackendKind::none;
-  return std::move(*hal::open_backend(machine));
-}
-
-}  // namespace
 
 Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
                    RowSink* sink, Diagnostics::Sink report)
@@ -24,7 +17,7 @@ Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::B
       free_machine_(without_travel(machine)),
       options_(options),
       backend_(backend),
-      nowhere_(nowhere(machine)),
+      nowhere_(std::move(*hal::open_backend(without_backend(machine)))),
       sink_(sink),
       report_(std::move(report)),
       known_(position_status(options.state, BackendKind::none) == PositionStatus::known),
@@ -41,36 +34,38 @@ void Operator::begin_session(const MachineState& state) {
   session_->set_feed_override(feed_override_);
   session_->set_rapid_override(rapid_override_);
   if (begun_) session_->count_on_from(last_);
-  running_ = is_program_ = paused_ = false;
+  running_ = is_program_ = false;
   left_.reset();
   returning_ = false;
 }
 
-Result<bool> Operator::asked(Request request) const {
+/// Returns the answer to a request that does nothing in this state; nothing where it acts.
+std::optional<Status> Operator::answered(Request request) const {
   switch (mode_rule(mode_, request).answer) {
     case ModeRule::Answer::acts:
-      return true;
+      return std::nullopt;
     case ModeRule::Answer::ignored:
-      return false;
+      return Status();
     case ModeRule::Answer::refused:
       break;
   }
-  return refusal(std::string(kRequestNames[static_cast<std::size_t>(request)]) +
-                 ": not while the machine is in " +
-                 std::string(kModeNames[static_cast<std::size_t>(mode_)]));
+  return Status(refusal(std::string(kRequestNames[static_cast<std::size_t>(request)]) +
+                        ": not while the machine is in " +
+                        std::string(kModeNames[static_cast<std::size_t>(mode_)])));
 }
 
 // Lines and programs ------------------------------------------------------------------------------
 
-Result<bool> Operator::may_run(Request request) const {
-  const auto acts = asked(request);
-  if (!acts || mode_ == MachineMode::check || known_) return acts;
-  return tl::make_unexpected(
-      Diagnostic{.code = Code::SC5070, .message = "the position of the machine is not known"});
+/// The same of a request that moves the machine to places.
+std::optional<Status> Operator::answered_to_run(Request request) const {
+  auto answer = answered(request);
+  if (answer || mode_ == MachineMode::check || known_) return answer;
+  return Status(tl::make_unexpected(
+      Diagnostic{.code = Code::SC5070, .message = "the position of the machine is not known"}));
 }
 
 Status Operator::line(std::string_view text) {
-  if (const auto acts = may_run(Request::line); !acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered_to_run(Request::line)) return *answer;
   if (is_program_ || returning_) return refusal("line: a program is running");
   if (rests_in_) return refusal("line: the machine is stopping");
   const std::string whole = open_.add(text);
@@ -78,7 +73,7 @@ Status Operator::line(std::string_view text) {
 }
 
 Status Operator::start(std::string_view program) {
-  if (const auto acts = may_run(Request::start); !acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered_to_run(Request::start)) return *answer;
   open_.forget();
   if (mode_ != MachineMode::check) begin_session(state());
   return run(program, true);
@@ -138,7 +133,7 @@ std::optional<Row> Operator::step_of(Session& session) {
   if (row->feedback.alarm == Alarm::none) return row;
   values_.assign(row->values.begin(), row->values.end());
   const Row last{last_, row->feedback, values_};
-  raise_alarm();
+  estop();
   return last;
 }
 
@@ -153,7 +148,6 @@ void Operator::settle_jog() {
 
 void Operator::settle_program() {
   if (session_->status() == SessionStatus::paused && !rests_in_) {
-    paused_ = true;
     if (mode_ == MachineMode::run) mode_ = MachineMode::hold;
     return;
   }
@@ -164,7 +158,7 @@ void Operator::settle_program() {
   else
     session_->go_on();
   session_->resume();  // where nothing runs, nothing is held
-  running_ = is_program_ = paused_ = false;
+  running_ = is_program_ = false;
   mode_ = mode_ == MachineMode::door ? mode_ : idle_or_door();
 }
 

@@ -121,8 +121,8 @@ class Operator {
     int axis, direction;
   };
 
-  Result<bool> asked(Request request) const;
-  Result<bool> may_run(Request request) const;
+  std::optional<Status> answered(Request request) const;
+  std::optional<Status> answered_to_run(Request request) const;
   void begin_session(const MachineState& state);
   Status run(std::string_view text, bool is_program);
   Status judge(std::string_view text);
@@ -136,7 +136,6 @@ class Operator {
   }
   void end_in(MachineMode mode);
   void ended();
-  void raise_alarm();
   std::optional<Row> step_of(Session& session);
   void settle_jog();
   void settle_program();
@@ -159,11 +158,10 @@ class Operator {
   bool known_;          // the position
   Outputs outputs_, before_door_;
   bool running_ = false, is_program_ = false;
-  bool paused_ = false;                  // by the program
   std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
   bool returning_ = false;               // to that place
   std::optional<MachineMode> rests_in_;  // once the machine is at rest,
-  bool resets_ = false;                  // and then all modes begin anew
+  bool resets_ = false;                  // spindle and coolant go off then
   bool door_open_ = false;
   std::int64_t waits_ = 0;        // periods: for the spindle
   std::optional<Switch> switch_;  // at an end of an axis

@@ -38,7 +38,7 @@ bool Operator::leads_off_switch(const Jog& jog) const noexcept {
 }
 
 Status Operator::jog(const Jog& jog) {
-  if (const auto acts = asked(Request::jog); !acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered(Request::jog)) return *answer;
   if (mode_ == MachineMode::alarm && !leads_off_switch(jog))
     return refusal(switch_ ? "jog: only away from the limit switch" : "jog: not while in Alarm");
   const bool stops = jog_ ? !jog_->takes_more() : mode_ == MachineMode::hold && moving();
@@ -68,8 +68,7 @@ void Operator::move_by_hand(const AxisVector& to, double feed) {
 }
 
 Status Operator::cancel() {
-  const auto acts = asked(Request::cancel);
-  if (!acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered(Request::cancel)) return *answer;
   if (jog_) jog_->abort();
   return {};
 }
@@ -85,9 +84,7 @@ void Operator::pause_motion() {
 }
 
 Status Operator::hold() {
-  const auto acts = asked(Request::hold);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (!*acts) return {};
+  if (const auto answer = answered(Request::hold)) return *answer;
   pause_motion();
   returning_ = false;
   if (mode_ != MachineMode::jog) mode_ = MachineMode::hold;
@@ -99,9 +96,7 @@ std::optional<AxisVector> Operator::return_point() const noexcept {
 }
 
 Status Operator::resume() {
-  const auto acts = asked(Request::resume);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (!*acts) return {};
+  if (const auto answer = answered(Request::resume)) return *answer;
   if (jog_) return refusal("resume: a jog has not ended yet");
   if (mode_ == MachineMode::door) {
     if (door_open_) return refusal("resume: the door is open");
@@ -134,7 +129,6 @@ void Operator::go_on() {
   left_.reset();
   returning_ = false;
   if (waits_ > 0) return;
-  paused_ = false;
   session_->resume();
 }
 
@@ -159,15 +153,13 @@ void Operator::ended() {
 }
 
 Status Operator::abort() {
-  const auto acts = asked(Request::abort);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (*acts) end_in(mode_rule(mode_, Request::abort).next);
+  if (const auto answer = answered(Request::abort)) return *answer;
+  end_in(mode_rule(mode_, Request::abort).next);
   return {};
 }
 
 Status Operator::reset() {
-  const auto acts = asked(Request::reset);
-  if (!acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered(Request::reset)) return *answer;
   judged_.reset();
   resets_ = true;
   const bool stops = jog_ || moving();
@@ -177,9 +169,7 @@ Status Operator::reset() {
 
 Status Operator::door() {
   door_open_ = true;
-  const auto acts = asked(Request::door);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (!*acts) return {};
+  if (const auto answer = answered(Request::door)) return *answer;
   pause_motion();
   returning_ = false;
   before_door_ = std::exchange(outputs_, {});
@@ -188,9 +178,7 @@ Status Operator::door() {
 }
 
 Status Operator::unlock() {
-  const auto acts = asked(Request::unlock);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (!*acts) return {};
+  if (const auto answer = answered(Request::unlock)) return *answer;
   if (jog_) return refusal("unlock: a jog has not ended yet");
   if (switch_) return refusal("unlock: jog away from the limit switch first");
   mode_ = idle_or_door();
@@ -198,8 +186,7 @@ Status Operator::unlock() {
 }
 
 Status Operator::check() {
-  const auto acts = asked(Request::check);
-  if (!acts) return tl::make_unexpected(acts.error());
+  if (const auto answer = answered(Request::check)) return *answer;
   judged_.reset();
   if (mode_ == MachineMode::check) {
     mode_ = idle_or_door();
@@ -212,9 +199,7 @@ Status Operator::check() {
 }
 
 Status Operator::sleep() {
-  const auto acts = asked(Request::sleep);
-  if (!acts) return tl::make_unexpected(acts.error());
-  if (!*acts) return {};
+  if (const auto answer = answered(Request::sleep)) return *answer;
   if (jog_) return refusal("sleep: a jog has not ended yet");
   outputs_ = {};
   begin_session(state());
@@ -222,10 +207,8 @@ Status Operator::sleep() {
   return {};
 }
 
-void Operator::estop() { raise_alarm(); }
-
 /// Drives that have lost their power have stopped short of the last setpoint.
-void Operator::raise_alarm() {
+void Operator::estop() {
   const auto actual = backend_.actual();
   const bool is_measured = backend_.instants() > 0 && !actual.empty();
   const MachineState before = state();

@@ -29,7 +29,7 @@ class Requests {
   /// Lets the machine come to rest on the path, and ends the program there: nothing else is
   /// answered any more.
   void stop() noexcept { panel_.stop = true; }
-  /// For a new path, which does not know of it, requests again what is in force, but for a stop.
+  /// Requests what is in force once more, except a stop: a new path does not know of it.
   void begin_again() noexcept {
     panel_.stop = false;
     pending_ = true;
