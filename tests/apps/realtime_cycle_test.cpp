@@ -2,6 +2,8 @@
 // A run by the clock: the same rows, in their time; and what is reported when that was not kept.
 #include "runtime/realtime/realtime_cycle.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -50,14 +52,35 @@ class Fickle final : public hal::Backend {
   double pulses_ = 0;
 };
 
-struct Kept final : runtime::RowSink {
+/// A cycle and the rows that have come back from it.
+struct Driven {
+  runtime::RealtimeCycle cycle;
   std::vector<double> x, actual, pulses;
-  std::size_t most = SIZE_MAX;
-  bool row(const Setpoint& setpoint, std::span<const double> values) override {
-    x.push_back(setpoint.position[0]);
-    actual.push_back(values[0]);
-    pulses.push_back(values[1]);
-    return x.size() < most;
+  std::int64_t last_period = -1;
+  Feedback feedback;
+
+  explicit Driven(hal::Backend& backend) : cycle(backend, kPeriod) {}
+  void collect() {
+    cycle.collect(SIZE_MAX, [this](const runtime::SetpointQueue::Row& row) {
+      x.push_back(row.setpoint.position[0]);
+      actual.push_back(row.values[0]);
+      pulses.push_back(row.values[1]);
+      last_period = row.setpoint.period;
+      feedback = row.feedback;
+    });
+  }
+  void add(const Setpoint& setpoint) {
+    for (collect(); cycle.capacity_left() == 0; collect()) cycle.wait();
+    cycle.exchange(setpoint);
+  }
+  void add(int count, int begin = 0);
+  void rest() {
+    for (cycle.rest(); !cycle.all_back();) cycle.wait();
+    collect();
+  }
+  const runtime::Punctuality& end() {
+    cycle.stop();
+    return cycle.punctuality();
   }
 };
 
@@ -68,8 +91,8 @@ Setpoint at(int i) {
   return setpoint;
 }
 
-void drive(runtime::RealtimeCycle& cycle, int count, int begin = 0) {
-  for (int i = begin; i < begin + count; ++i) cycle.exchange(at(i));
+void Driven::add(int count, int begin) {
+  for (int i = begin; i < begin + count; ++i) add(at(i));
 }
 
 /// Status and words follow from the figures, however late this computer was.
@@ -104,11 +127,10 @@ TEST_CASE("periods missed are an error with real-time rights, a warning without"
 
 TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][realtime]") {
   Fickle backend;
-  Kept rows;
   const std::int64_t begin = runtime::now_ns();
-  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
-  drive(cycle, 700);
-  cycle.rest();
+  Driven rows(backend);
+  rows.add(700);
+  rows.rest();
   CHECK(runtime::now_ns() - begin >= 699'000'000);
   REQUIRE(rows.x.size() == 700);
   for (int i = 0; i < 700; ++i) {
@@ -116,87 +138,87 @@ TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][r
     REQUIRE(rows.actual[static_cast<std::size_t>(i)] == 0.5 * i + 1);
   }
   CHECK(backend.exchanges == 700);
-  cycle.stop();
-  CHECK(cycle.rows() == 700);
-  CHECK(cycle.punctuality().lateness.wakeups() == 700);
+  CHECK(rows.end().lateness.wakeups() == 700);
 }
 
 TEST_CASE("pulses of a setpoint reach the backend, though theirs are gone", "[apps][realtime]") {
   Fickle backend;
-  Kept rows;
-  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
+  Driven rows(backend);
   std::vector<TimedStep> steps;
   for (int i = 0; i < 20; ++i) {
     steps.assign(static_cast<std::size_t>(i), {0.5, Step(0, 1)});
     Setpoint setpoint = at(i);
     setpoint.pulses = steps;
-    cycle.exchange(setpoint);
+    rows.add(setpoint);
   }
-  cycle.rest();
+  rows.rest();
   for (int i = 0; i < 20; ++i) CHECK(rows.pulses[static_cast<std::size_t>(i)] == i);
 }
 
 TEST_CASE("where the program waits the clock goes on, and nothing is missed", "[apps][realtime]") {
   Fickle backend;
-  Kept rows;
-  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
-  drive(cycle, 10);
-  cycle.rest();
+  Driven rows(backend);
+  rows.add(10);
+  rows.rest();
   runtime::sleep_until(runtime::now_ns() + 30'000'000);
-  drive(cycle, 10, 10);
-  cycle.rest();
-  cycle.stop();
+  rows.add(10, 10);
+  rows.rest();
+  CHECK(rows.end().unplanned == 0);
   CHECK(rows.x.size() == 20);
-  CHECK(cycle.punctuality().unplanned == 0);
 }
 
 TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[apps][realtime]") {
   Fickle backend;
   backend.slow_at = 100;
   backend.slow_for = 20'000'000;
-  runtime::RealtimeCycle slow(backend, kPeriod, nullptr);
-  drive(slow, 300);
+  Driven slow(backend);
+  slow.add(300);
   slow.rest();
-  slow.stop();
-  CHECK(slow.rows() == 300);
-  CHECK(slow.punctuality().overruns() >= 1);
-  CHECK(slow.punctuality().lateness.largest() >= 18'000'000);
+  CHECK(slow.end().overruns() >= 1);
+  CHECK(slow.x.size() == 300);
+  CHECK(slow.end().lateness.largest() >= 18'000'000);
 
   Fickle quick;
-  runtime::RealtimeCycle starved(quick, kPeriod, nullptr);
-  drive(starved, 400);  // enough to begin with
+  Driven starved(quick);
+  starved.add(400);  // enough to begin with
   runtime::sleep_until(runtime::now_ns() + 1'500'000'000);
-  drive(starved, 10, 400);
+  starved.add(10, 400);
   starved.rest();
-  starved.stop();
-  CHECK(starved.rows() == 410);
-  CHECK(starved.punctuality().unplanned >= 1);
+  CHECK(starved.end().unplanned >= 1);
+  CHECK(starved.x.size() == 410);
 }
 
 TEST_CASE("after an alarm nothing is exchanged any more", "[apps][realtime]") {
   Fickle backend;
   backend.alarm_at = 50;
-  Kept rows;
-  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
-  drive(cycle, 400);
-  cycle.rest();
-  cycle.stop();
+  Driven rows(backend);
+  rows.add(400);
+  rows.rest();
   CHECK(backend.exchanges == 51);
   CHECK(rows.x.size() == 51);
-  CHECK(cycle.last().period == 50);
-  CHECK(cycle.feedback().alarm == Alarm::following_error);
-  CHECK(cycle.feedback().alarm_axis == 1);
+  CHECK(rows.last_period == 50);
+  CHECK(rows.feedback.alarm == Alarm::following_error);
+  CHECK(rows.feedback.alarm_axis == 1);
 }
 
-TEST_CASE("rows that nobody wants any more are reported", "[apps][realtime]") {
+TEST_CASE("setpoints that wait can be taken back, and others come in their place",
+          "[apps][realtime]") {
   Fickle backend;
-  Kept rows;
-  rows.most = 5;
-  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
-  drive(cycle, 20);
-  cycle.rest();
-  CHECK_FALSE(cycle.collect());
-  CHECK(rows.x.size() == 5);
+  Driven rows(backend);
+  rows.add(500);
+  rows.cycle.rest();
+  const auto cut = rows.cycle.cut_in(0.1, 0);
+  REQUIRE(cut);
+  REQUIRE(rows.cycle.take_back(*cut));
+  const auto kept = static_cast<int>(cut->last.period) + 1;
+  CHECK(kept <= 102);
+  rows.add(20, 1000);
+  rows.rest();
+  CHECK(rows.end().unplanned == 0);
+  REQUIRE(rows.x.size() == static_cast<std::size_t>(kept) + 20);
+  for (int i = 0; i < kept; ++i) REQUIRE(rows.x[static_cast<std::size_t>(i)] == 0.5 * i);
+  for (int i = 0; i < 20; ++i)
+    REQUIRE(rows.x[static_cast<std::size_t>(kept + i)] == 0.5 * (1000 + i));
 }
 
 TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[apps][realtime]") {
@@ -215,6 +237,44 @@ TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[app
   CHECK(queue.take(item) == runtime::RealtimeQueue<int>::Next::stands);
   for (int i = 0; i < 100; ++i) REQUIRE(queue.push(i));
   CHECK_FALSE(queue.push(100));
+}
+
+TEST_CASE("what is taken back while another thread takes comes to one of the two",
+          "[apps][realtime]") {
+  runtime::RealtimeQueue<int> queue(64);
+  constexpr int kItems = 200'000;
+  std::atomic<bool> finished{false};
+  std::vector<int> taken;
+  std::thread cycle([&] {
+    const auto take_all = [&] {
+      for (int item = -1; queue.take(item) == runtime::RealtimeQueue<int>::Next::item;)
+        taken.push_back(item);
+    };
+    while (!finished) take_all();
+    take_all();
+  });
+  std::vector<int> back;
+  int refused = 0;
+  for (int i = 0; i < kItems; ++i) {
+    while (!queue.push(i)) {
+    }
+    queue.rest();
+    const auto counts = queue.load();
+    if (i % 7 != 0 || counts.waiting() < 3) continue;
+    const bool comes =
+        queue.take_back(counts.taken + 2, 1, [&](int item) { back.push_back(item); });
+    refused += comes ? 0 : 1;
+    queue.rest();
+  }
+  finished = true;
+  cycle.join();
+  CHECK(!back.empty());
+  REQUIRE(taken.size() + back.size() == kItems);
+  REQUIRE(std::is_sorted(taken.begin(), taken.end()));
+  back.insert(back.end(), taken.begin(), taken.end());
+  std::sort(back.begin(), back.end());
+  for (int i = 0; i < kItems; ++i) REQUIRE(back[static_cast<std::size_t>(i)] == i);
+  CAPTURE(refused);
 }
 
 TEST_CASE("a run by the clock gives the same rows and files, in its time", "[apps][realtime]") {

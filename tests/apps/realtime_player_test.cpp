@@ -7,8 +7,11 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <optional>
 
 #include "apps/shell.hpp"
+#include "runtime/realtime/realtime_cycle.hpp"
+#include "runtime/session/simulate.hpp"
 #include "support/recorded_port.hpp"
 #include "support/shown.hpp"
 
@@ -30,8 +33,10 @@ Machine on_port() {
   return machine;
 }
 
+constexpr double kAhead = 0.5;  // s: these threads are ordinary ones
+
 std::unique_ptr<runtime::RealtimePlayer> open(const Machine& machine, PortRecord& record) {
-  auto player = open_player(machine, std::make_unique<RecordedPort>(record));
+  auto player = open_player(machine, std::make_unique<RecordedPort>(record), kAhead);
   REQUIRE(player);
   return std::move(*player);
 }
@@ -120,7 +125,7 @@ TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") 
 TEST_CASE("nothing is enabled while an input is on", "[apps][parport]") {
   PortRecord record;
   record.status = 0x20;
-  const auto refused = open_player(on_port(), std::make_unique<RecordedPort>(record));
+  const auto refused = open_player(on_port(), std::make_unique<RecordedPort>(record), kAhead);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == Code::SC5033);
   CHECK(is_at_rest(record));
@@ -170,7 +175,7 @@ class SlowPort final : public hal::PortRegisters {
 
 TEST_CASE("after an abandoned player nothing is written any more", "[apps][parport]") {
   std::atomic<int> written{0};
-  auto player = open_player(on_port(), std::make_unique<SlowPort>(written));
+  auto player = open_player(on_port(), std::make_unique<SlowPort>(written), kAhead);
   REQUIRE(player);
   (*player)->play(words(6'000));
   for (int i = 0; i < 1000 && written < 5; ++i) runtime::sleep_until(runtime::now_ns() + 1'000'000);
@@ -205,7 +210,7 @@ TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parp
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(signal, SIG_DFL);
-    auto player = open_player(on_port(), std::make_unique<TellingPort>(pipe[1]));
+    auto player = open_player(on_port(), std::make_unique<TellingPort>(pipe[1]), kAhead);
     if (!player) ::_exit(1);
     (*player)->play(words(6'000));
     runtime::sleep_until(runtime::now_ns() + 30'000'000);
@@ -223,6 +228,106 @@ TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parp
   CHECK(WTERMSIG(status) == signal);
   CHECK(writes > 1);
   CHECK(bits == 0x00);
+}
+
+namespace {
+
+PortRecord* played = nullptr;  // OpenPlayer takes no more than a machine
+double played_ahead = 0;
+
+Result<std::unique_ptr<hal::PortPlayer>> open_recorded(const Machine& machine) {
+  return open_player(machine, std::make_unique<RecordedPort>(*played), played_ahead)
+      .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
+}
+
+/// What a run of 1.6 s writes; with `by_cycle` setpoints wait before their words are made.
+std::vector<std::uint8_t> written_in_a_run(bool by_cycle) {
+  PortRecord record;
+  played = &record;
+  played_ahead = by_cycle ? 0.02 : kAhead;
+  Machine machine = on_port();
+  machine.control.period = 0.1;
+  machine.parallel_port.device = "recorded";
+  for (Axis& axis : machine.axes) axis.velocity = 25;
+  Diagnostics diagnostics;
+  ipr::Reader reader = ipr::Reader::from_text("G01 X5 Y-3 F600\nM00\nG02 X9 Y-3 I2 J0\nM30\n");
+  {
+    auto backend = hal::open_backend(machine, open_recorded);
+    REQUIRE(backend);
+    using runtime::RealtimeCycle;
+    std::optional<RealtimeCycle> cycle;
+    if (by_cycle) cycle.emplace(**backend, machine.control.period, RealtimeCycle::Pace::backend);
+    const runtime::Outcome outcome =
+        runtime::simulate(reader, -1, machine, {}, **backend, diagnostics, nullptr, nullptr,
+                          cycle ? &*cycle : nullptr);
+    CHECK(outcome.end == runtime::Outcome::End::done);
+    CHECK((*backend)->finish());
+  }
+  return data_of(record);
+}
+
+}  // namespace
+
+TEST_CASE("a thread before the port adds and leaves out no word", "[apps][parport]") {
+  const auto plain = written_in_a_run(false);
+  CHECK(plain.size() > 3000);
+  CHECK(written_in_a_run(true) == plain);
+}
+
+namespace {
+
+/// A port that counts its writes.
+class CountingPort final : public hal::PortRegisters {
+ public:
+  explicit CountingPort(std::atomic<int>& written) : written_(written) {}
+  bool write_data(std::uint8_t bits) noexcept override {
+    last_ = bits;
+    ++written_;
+    return true;
+  }
+  bool write_control(std::uint8_t) noexcept override { return true; }
+  std::optional<std::uint8_t> read_status() noexcept override { return 0; }
+  Diagnostic failure() const override { return {Code::SC6074, {}, "", "", {}}; }
+
+ private:
+  std::atomic<int>& written_;
+  std::uint8_t last_ = 0;
+};
+
+std::atomic<int> writes_counted{0};
+
+class StopAfterWrites final : public runtime::Watcher {
+ public:
+  bool wants_stop() override { return writes_counted > 2000; }
+  void sees(const Setpoint&) override {}
+  void pause(const runtime::Pause&) override {}
+  void wait_for_input(int) override {}
+};
+
+}  // namespace
+
+TEST_CASE("a stop takes back what waits for the port, and it rests", "[apps][parport]") {
+  writes_counted = 0;
+  Machine machine = on_port();
+  machine.control.period = 0.01;
+  machine.parallel_port.device = "counted";
+  Diagnostics diagnostics;
+  ipr::Reader reader = ipr::Reader::from_text("G01 X500 F600\nM30\n");
+  auto backend = hal::open_backend(machine, [](const Machine& on) {
+    return open_player(on, std::make_unique<CountingPort>(writes_counted), 0.02)
+        .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
+  });
+  REQUIRE(backend);
+  runtime::RealtimeCycle cycle(**backend, machine.control.period,
+                               runtime::RealtimeCycle::Pace::backend);
+  StopAfterWrites watcher;
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, -1, machine, {}, **backend, diagnostics, nullptr, &watcher, &cycle);
+  static_cast<void>((*backend)->finish());
+  CHECK(outcome.end == runtime::Outcome::End::stopped);
+  CHECK(outcome.last.v == 0);
+  CHECK(outcome.last.position.x() > 1);
+  CHECK(outcome.last.position.x() < 490);
 }
 
 TEST_CASE("a parallel port that is not there, or none, is status 5", "[apps][parport]") {

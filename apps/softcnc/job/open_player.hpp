@@ -12,13 +12,14 @@
 
 namespace softcnc::app {
 
-/// Opens the parallel port of the machine and a player on it. A signal that ends softcnc puts the
+/// Opens the parallel port of the machine and a player on it, a little ahead of which a thread has to
+/// be. A signal that ends softcnc puts the
 /// port at rest first, and missing real-time rights are shown. Errors: those of hal::Ppdev::open()
 /// and of RealtimePlayer::open().
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine);
 
-/// The same on registers that are open already.
+/// The same on registers that are open already, `ahead` s ahead of the port.
 Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(
-    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers);
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, double ahead);
 
 }  // namespace softcnc::app

@@ -49,6 +49,7 @@ class JobRunner {
   void keep_state();
   Diagnostics::Sink sink();
   void run(hal::Backend& backend, runtime::TraceRows& rows);
+  bool sends_to_port() const;
   bool in_real_time() const;
   hal::Patience patience() const;
   void add_corner_cost();
@@ -130,22 +131,25 @@ Diagnostics::Sink JobRunner::sink() {
 }
 
 void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
-  std::optional<runtime::RealtimeCycle> realtime;
-  if (in_real_time()) realtime.emplace(backend, job_.machine.control.period, &rows);
+  using Pace = runtime::RealtimeCycle::Pace;
+  std::optional<runtime::RealtimeCycle> ahead;
+  if (in_real_time() || sends_to_port())
+    ahead.emplace(backend, job_.machine.control.period,
+                  in_real_time() ? Pace::clock : Pace::backend);
   runtime::JudgedRun judged = runtime::run({job_.program, job_.machine, job_.options, backend,
-                                            &rows, &terminal_, realtime ? &*realtime : nullptr},
+                                            &rows, &terminal_, ahead ? &*ahead : nullptr},
                                            sink());
   terminal_.end();
   result_.outcome = std::move(judged.outcome);
   result_.ending = judged.ending;
   result_.status = judged.status;
-  if (realtime) result_.punctuality = realtime->punctuality();
+  if (in_real_time()) result_.punctuality = ahead->punctuality();
   result_.following_error = backend.following_error_max();
   result_.settled = backend.settle();
   if (options_.dry_run && result_.ending == Ending::done) add_corner_cost();
   if (result_.outcome.end == runtime::Outcome::End::stopped)
     result_.status = worse_status(result_.status, kSignalled + terminal_.signal());
-  if (realtime) judge_punctuality();
+  if (in_real_time()) judge_punctuality();
 }
 
 void JobRunner::add_corner_cost() {
@@ -155,11 +159,12 @@ void JobRunner::add_corner_cost() {
                               diagnostics);
 }
 
-/// A parallel port keeps a clock of its own.
-bool JobRunner::in_real_time() const {
-  return options_.realtime &&
-         (options_.dry_run || job_.machine.control.backend != BackendKind::parport);
+bool JobRunner::sends_to_port() const {
+  return !options_.dry_run && job_.machine.control.backend == BackendKind::parport;
 }
+
+/// A parallel port keeps a clock of its own.
+bool JobRunner::in_real_time() const { return options_.realtime && !sends_to_port(); }
 
 /// A machine that moves by the clock waits for nobody: half a second is planned ahead.
 hal::Patience JobRunner::patience() const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,6 +58,11 @@ class Planner {
   /// which the machine is held has no end. Returns what has been passed.
   std::deque<TimedBlock> replan(PartlyPassed rest, const State& state, double t,
                                 const FeedControl& asked);
+  /// Lets the machine halt likewise, unless `in_time`, which is asked once the stop is found, says
+  /// that it comes too late: then nothing is changed, `rest` is as it was, and the result is false.
+  /// Otherwise `rest` keeps what has been passed.
+  bool halt_in_time(PartlyPassed& rest, const State& state, double t, const FeedControl& asked,
+                    const std::function<bool()>& in_time);
 
   PlannerCounts counts() const noexcept;
 
@@ -79,7 +85,8 @@ class Planner {
   void leave_out(Diagnostic diagnostic, const SourcePos& place);
   void flush_corners();
   void take_back(PartlyPassed& rest, double s, double t);
-  void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
+  State begin_replan(PartlyPassed& rest, const State& state, double t);
+  void halt(PartlyPassed& rest, const StopAhead& stop, double t, const FeedControl& asked);
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   StopAhead stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as, StopWithin within);
   std::vector<Profile> planned_to_rest(PartlyPassed& rest, const State& now, double t);

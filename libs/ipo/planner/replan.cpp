@@ -63,15 +63,35 @@ std::size_t pieces_to_less(const Profile& planned, std::size_t pieces, double a)
 std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, double t,
                                        const FeedControl& asked) {
   if (unplanned_) return unplanned_->replan(std::move(rest), state, t, asked);
+  if (asked.halts())
+    halt_in_time(rest, state, t, asked, [] { return true; });
+  else
+    go_on(rest, begin_replan(rest, state, t), t, asked);
+  return std::move(rest.blocks);
+}
+
+bool Planner::halt_in_time(PartlyPassed& rest, const State& state, double t,
+                           const FeedControl& asked, const std::function<bool()>& in_time) {
+  if (unplanned_) {
+    if (!in_time()) return false;
+    rest.blocks = unplanned_->replan(std::move(rest), state, t, asked);
+    return true;
+  }
+  const State now = begin_replan(rest, state, t);
+  constraints_.set_overrides(machine_, ceiling_);
+  const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by(), StopWithin::queue);
+  if (!in_time()) return false;
+  halt(rest, stop, t, asked);
+  return true;
+}
+
+/// Returns the state from which it is planned again.
+State Planner::begin_replan(PartlyPassed& rest, const State& state, double t) {
   if (!feed_.halts()) shorten_dwell(rest.blocks[rest.passed], t);
   const TimedBlock& present = rest.blocks[rest.passed];
   const State now = without_rounding(state, present);
   ceiling_ = present.s_start + now.s < slow_until_ ? larger_ones(ceiling_, running_) : running_;
-  if (asked.halts())
-    halt(rest, now, t, asked);
-  else
-    go_on(rest, now, t, asked);
-  return std::move(rest.blocks);
+  return now;
 }
 
 /// Takes back all blocks that have come; the machine is at `s` mm of the present one.
@@ -177,9 +197,7 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
 }
 
 /// Stops on the path; what lies after the stop waits.
-void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
-  constraints_.set_overrides(machine_, ceiling_);
-  const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by(), StopWithin::queue);
+void Planner::halt(PartlyPassed& rest, const StopAhead& stop, double t, const FeedControl& asked) {
   take_back(rest, stop.from.s, t);
   for (const Profile& profile : stop.whole) {
     pending_.front().profile = profile;

@@ -25,12 +25,20 @@ bool BlockQueue::is_left(const TimedBlock& passed) const noexcept {
   return lag_ == 0 || passed.t_end() < now - lag_;
 }
 
-void BlockQueue::trim() {
-  for (; current_ > 0 && is_left(blocks_.front()); --current_) {
+/// The number of blocks that have been passed and were visited, or had ended by `until`.
+std::size_t BlockQueue::passed_by(double until) const noexcept {
+  std::size_t end = kept_;
+  while (end < current_ && blocks_[end].t_end() <= until) ++end;
+  return end;
+}
+
+void BlockQueue::trim(double until) {
+  kept_ = passed_by(until);
+  for (; kept_ > 0 && is_left(blocks_.front()) && blocks_.front().t_end() <= until;
+       --kept_, --current_) {
     remembered_.push_back(std::move(blocks_.front()));
     blocks_.pop_front();
   }
-  kept_ = current_;
   const double now = current_ == blocks_.size() ? t_end_ : blocks_[current_].t_start;
   while (!remembered_.empty() && remembered_.front().t_end() < now - memory_)
     remembered_.pop_front();
@@ -42,19 +50,38 @@ const TimedBlock* BlockQueue::at_place(double s) const noexcept {
   return nullptr;
 }
 
+void BlockQueue::go_back(double t, double same) noexcept {
+  current_ = 0;
+  while (current_ < blocks_.size() && t >= blocks_[current_].t_end() - same) ++current_;
+}
+
 PartlyPassed BlockQueue::take_rest() {
-  trim();
   PartlyPassed rest{std::exchange(remembered_, {}), 0};
+  taken_memory_ = rest.blocks.size();
   rest.passed = rest.blocks.size() + std::exchange(current_, 0);
-  kept_ = 0;
   for (TimedBlock& block : blocks_) rest.blocks.push_back(std::move(block));
   blocks_.clear();
   return rest;
 }
 
-/// Setpoints may still lag behind what has been passed.
+/// What was remembered is remembered again; setpoints may lag behind the others, and rows of them
+/// may still be looked at.
+void BlockQueue::keep(std::deque<TimedBlock> passed) {
+  for (std::size_t i = 0; i < taken_memory_; ++i) {
+    remembered_.push_back(std::move(passed.front()));
+    passed.pop_front();
+  }
+  blocks_ = std::move(passed);
+}
+
+void BlockQueue::put_back(PartlyPassed rest) {
+  current_ = rest.passed - taken_memory_;
+  keep(std::move(rest.blocks));
+  t_end_ = blocks_.back().t_end();
+}
+
 void BlockQueue::begin_again(std::deque<TimedBlock> passed, double t) {
-  (lag_ > 0 ? blocks_ : remembered_) = std::move(passed);
+  keep(std::move(passed));
   current_ = kept_ = blocks_.size();
   t_end_ = t;
 }

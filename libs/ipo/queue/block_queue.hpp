@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "ipo/limits/planner_limits.hpp"
 #include "ipo/path/piece.hpp"
 #include "ipo/path/profile.hpp"
 #include "ipo/queue/pulse_walk.hpp"
@@ -44,7 +45,8 @@ struct Continuation {
 
 using TimedPart = std::variant<TimedBlock, Continuation>;
 
-/// Blocks of which the first `passed` have been passed by the machine.
+/// Blocks of which the first `passed` have been passed by the machine, or will have been by the
+/// instant from which the rest is planned again.
 struct PartlyPassed {
   std::deque<TimedBlock> blocks;
   std::size_t passed = 0;
@@ -60,10 +62,16 @@ class BlockQueue {
   void push(TimedBlock block);
   void push(const Continuation& more);  // of the block pushed last
   void push(TimedPart part);
-  void trim();  // planning side
+  /// Removes what has been passed and had ended by `until`, s. Planning side.
+  void trim(double until = kUnlimited);
+  /// Makes the block of the instant `t`, s, the present one again, for a machine that has not come
+  /// so far. Requires that it is in the queue. Planning side.
+  void go_back(double t, double same) noexcept;
   /// Takes out everything from the present block on, to be planned again, and before it what still
   /// matters. Planning side.
   PartlyPassed take_rest();
+  /// Gives back what take_rest() has taken. Planning side.
+  void put_back(PartlyPassed rest);
   /// Restores the queue: what follows begins at `t`; `passed` still matters. Planning side.
   void begin_again(std::deque<TimedBlock> passed, double t);
 
@@ -81,10 +89,11 @@ class BlockQueue {
   /// it; null if the queue holds none. Realtime.
   const TimedBlock* at_place(double s) const noexcept;
 
-  /// Calls visit(block) for what has been passed since the last trim().
+  /// Calls visit(block) for what has been passed since the last trim() and had ended by `until`, s.
   template <typename Visit>
-  void for_each_passed(Visit&& visit) const {
-    for (std::size_t i = kept_; i < current_; ++i) visit(blocks_[i]);
+  void for_each_passed(Visit&& visit, double until = kUnlimited) const {
+    const std::size_t end = passed_by(until);
+    for (std::size_t i = kept_; i < end; ++i) visit(blocks_[i]);
   }
 
   /// Calls visit(block) for what has been passed and is in the queue, and for the present block.
@@ -111,10 +120,13 @@ class BlockQueue {
   double t_end() const noexcept { return t_end_; }
 
  private:
+  std::size_t passed_by(double until) const noexcept;
   bool is_left(const TimedBlock& passed) const noexcept;
+  void keep(std::deque<TimedBlock> passed);
 
   double memory_, lag_;
   std::deque<TimedBlock> blocks_, remembered_;
+  std::size_t taken_memory_ = 0;  // blocks that were remembered when take_rest() took them
   std::size_t current_ = 0;
   std::size_t kept_ = 0;  // blocks that trim() has left, though they are passed
   double t_end_ = 0;

@@ -73,6 +73,18 @@ void Interpolator::replanned() noexcept {
   if (const Nurbs* nurbs = nurbs_of(queue_.front()); nurbs && walk_) walk_->rebind(*nurbs);
 }
 
+void Interpolator::go_back_to(const Setpoint& setpoint) noexcept {
+  last_ = setpoint;
+  last_.pulses = {};
+  last_.fine = {};
+  periods_ = setpoint.period + 1;
+  planned_from_ = setpoint.s;
+  queue_.go_back(time(), tuning::queue::kSameInstant * control_.period);
+  hint_ = 0;
+  t_ = queue_.empty() ? 0 : std::max(time() - queue_.front().t_start, 0.0);
+  done_ = false;
+}
+
 void Interpolator::enter_block() noexcept {
   t_ = 0;
   hint_ = 0;

@@ -47,10 +47,16 @@ class Interpolator {
   /// Delays the next step by `periods`, within the present block.
   void pass_over(std::int64_t periods) noexcept { periods_ += periods; }
 
+  /// Continues behind a setpoint that it has made, of a path of which the queue still holds all
+  /// from there on. Only for methods that follow the plan to the instant. Planning side.
+  void go_back_to(const Setpoint& setpoint) noexcept;
+
   /// Continues where it is after the queue has been planned again from state(): the front block is
   /// the same one, and its profile starts there. Planning side.
   void replanned() noexcept;
 
+  /// Returns the number of setpoints made so far.
+  std::int64_t periods() const noexcept { return periods_; }
   /// Returns the instant of the last setpoint, s.
   double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
   /// Returns the instant of state(), s: that of the last setpoint, or of the last rough one.

@@ -40,6 +40,14 @@ class Interpreter {
   /// (Modal::unknown), and what depends on that is not reported.
   std::optional<Block> next();
 
+  /// Sets whether lines that begin with '/' are passed over, and M01 stops, of the lines that
+  /// follow.
+  void set_switches(bool block_skip, bool optional_stop) noexcept {
+    options_.block_skip = block_skip;
+    options_.optional_stop = optional_stop;
+    parser_.set_block_skip(block_skip);
+  }
+
   /// Returns the files that have been called so far.
   std::vector<FoundFile> called_files() const { return flow_.called_files(); }
   /// Returns the paths under which calls have found no file.

@@ -54,6 +54,8 @@ class Parser {
 
   /// Sets the options. Requires that no line has been read. Variables begin without values.
   void configure(const ParserOptions& options);
+  /// Sets whether lines that begin with '/' are passed over, of the lines that follow.
+  void set_block_skip(bool on) noexcept { options_.block_skip = on; }
 
   /// Returns the next line that has words or a statement or is broken; nothing at the end of the
   /// program, which is the end of the text or a second '%'. Assignments take effect and conditions

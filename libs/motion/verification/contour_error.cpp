@@ -7,17 +7,16 @@
 
 namespace softcnc {
 
-void Contour::begin(std::size_t samples, double s) {
+void Contour::begin(double s) {
   turns_.add(newest_, s);
   newest_.clear();
-  batches_.push_back({samples, s, {}});
+  pieces_.cut(s);
 }
 
 void Contour::add(const Portion& portion, double s_start, const PathOrigin& origin) {
   const std::size_t before = newest_.size();
   append_pieces(portion, s_start, origin, newest_);
-  auto& pieces = batches_.back().pieces;
-  pieces.insert(pieces.end(), newest_.begin() + static_cast<std::ptrdiff_t>(before), newest_.end());
+  pieces_.append(std::span(newest_).subspan(before));
 }
 
 ContourReport Contour::report() const {
@@ -29,17 +28,7 @@ ContourReport Contour::report() const {
   return report;
 }
 
-void Contour::next_batch() {
-  if (batches_.empty()) return;
-  pieces_.cut(batches_.front().s_start);
-  pieces_.append(batches_.front().pieces);
-  samples_left_ = batches_.front().samples;
-  batches_.pop_front();
-}
-
 double Contour::sample(const Setpoint& setpoint, std::span<const AxisVector> actual) noexcept {
-  if (samples_left_ == 0) next_batch();
-  if (samples_left_ > 0) --samples_left_;
   const double s_before = std::exchange(sample_s_, setpoint.s);
   if (actual.empty()) return 0;
   if (pieces_.empty()) return (actual.back() - setpoint.position).norm();

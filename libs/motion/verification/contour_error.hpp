@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -20,8 +19,7 @@ namespace softcnc {
 /// the commanded one does not count for the next sample: where the path turns sharply and the
 /// machine waits, the tool may come near the way on before it has come to the corner.
 ///
-/// The path is added first, then its samples; they may come much later, as they do from a machine
-/// that runs in real time.
+/// The path is added first, then its samples.
 class Contour {
  public:
   static constexpr double kAhead = 1;  // mm of path
@@ -29,14 +27,11 @@ class Contour {
   /// `period` is the time between samples, s.
   explicit Contour(double period) noexcept : period_(period) {}
 
-  /// Begins the path of the next `samples` samples, one or more, at s, mm along the program. What
-  /// was added beyond s for earlier samples was their look-ahead, and does not count for these.
-  void begin(std::size_t samples, double s);
+  /// Begins the path of the samples that follow at s, mm along the program. What was added beyond s
+  /// for earlier samples was their look-ahead, and does not count for these.
+  void begin(double s);
   /// Adds its next portion; the last one should extend kAhead beyond the last sample.
   void add(const Portion& portion, double s_start, const PathOrigin& origin);
-
-  /// Whether the path of the next sample has been added.
-  bool expects_sample() const noexcept { return samples_left_ > 0 || !batches_.empty(); }
 
   /// Takes the next sample, with the positions of the tool in its period, mm: evenly spaced, the
   /// last one that of the sample itself. Returns the contour error there, mm. Throws nothing: what
@@ -46,24 +41,15 @@ class Contour {
   ContourReport report() const;
 
  private:
-  struct Batch {
-    std::size_t samples;
-    double s_start;  // mm
-    std::vector<CubicPiece> pieces;
-  };
-
   struct Instant {
     double t, s, v;  // s, mm, mm/s
   };
 
-  void next_batch();
   double measure(const AxisVector& point, const Instant& now) noexcept;
 
   double period_;
-  std::deque<Batch> batches_;     // for which no sample has come
-  std::size_t samples_left_ = 0;  // of the batch whose path is in pieces_
   PathPieces pieces_;
-  std::vector<CubicPiece> newest_;  // of the batch added last
+  std::vector<CubicPiece> newest_;  // since the last begin()
   SharpestTurn turns_;              // of what was added before it
   double foot_ = 0;      // mm along the program: the last nearest point up to the command
   double sample_s_ = 0;  // mm: the commanded point of the last sample

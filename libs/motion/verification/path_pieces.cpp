@@ -181,7 +181,7 @@ void append_pieces(const Portion& portion, double s_start, const PathOrigin& ori
   SmoothPart({path, begin, s1}, offset, origin).append_to(pieces);
 }
 
-void PathPieces::append(const std::vector<CubicPiece>& pieces) {
+void PathPieces::append(std::span<const CubicPiece> pieces) {
   pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "motion/geometry/deviation.hpp"
@@ -48,7 +49,7 @@ void append_pieces(const Portion& portion, double s_start, const PathOrigin& ori
 class PathPieces {
  public:
   /// Appends the next part, which begins where the last one ends.
-  void append(const std::vector<CubicPiece>& pieces);
+  void append(std::span<const CubicPiece> pieces);
   /// Drops what lies beyond s, mm.
   void cut(double s);
 

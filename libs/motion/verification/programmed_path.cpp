@@ -51,8 +51,9 @@ void ProgrammedPath::sample(const Setpoint& setpoint) noexcept {
   forget();
 }
 
+/// After a stop there are stretches ahead, to whose beginning nothing has come.
 void ProgrammedPath::finish() noexcept {
-  for (const PathStretch& stretch : stretches_) count_joint(stretch);
+  for (std::size_t i = 0; i < stretches_.size() && i <= here_; ++i) count_joint(stretches_[i]);
   stretches_.clear();
 }
 

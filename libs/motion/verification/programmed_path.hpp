@@ -20,7 +20,7 @@ class ProgrammedPath {
   /// Takes the next sample of the motion along the blocks that have been added.
   void sample(const Setpoint& setpoint) noexcept;
 
-  /// Ends the measurement after the last sample of a program that has run to its end.
+  /// Ends the measurement after the last sample of a program that has run to its end, or to a stop.
   void finish() noexcept;
 
   /// The distance of samples from the programmed path, or of joints that may be rounded from the

@@ -11,21 +11,21 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kWordsAhead = 0.5;                 // s of words in the queue
 constexpr std::int64_t kLook = 1'000'000;           // ns from one look at the inputs to the next
 constexpr std::int64_t kFillingBreath = 1'000'000;  // ns between two tries to fill the queue
 constexpr std::int64_t kPatience = 20'000'000;      // ns for the thread to end by itself
 
-std::size_t words_ahead(const hal::PortTiming& timing) {
-  return static_cast<std::size_t>(ns_from_s(kWordsAhead) / static_cast<double>(timing.base)) + 16;
+std::size_t words_in(double time, const hal::PortTiming& timing) {
+  return static_cast<std::size_t>(ns_from_s(time) / static_cast<double>(timing.base)) + 16;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
-    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, Listener listener) {
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, Listener listener,
+    double ahead) {
   std::unique_ptr<RealtimePlayer> player(
-      new RealtimePlayer(machine, std::move(registers), std::move(listener)));
+      new RealtimePlayer(machine, std::move(registers), std::move(listener), ahead));
   if (const Alarm alarm = player->output_.look(); alarm != Alarm::none)
     return tl::make_unexpected(player->output_.diagnostic(alarm));
   player->thread_ = std::thread([raw = player.get()] { raw->run(); });
@@ -33,12 +33,13 @@ Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
 }
 
 RealtimePlayer::RealtimePlayer(const Machine& machine,
-                               std::unique_ptr<hal::PortRegisters> registers, Listener listener)
+                               std::unique_ptr<hal::PortRegisters> registers, Listener listener,
+                               double ahead)
     : timing_(hal::port_timing(machine)),
       tolerance_(std::llround(ns_from_s(machine.control.period))),
       ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
       output_(std::move(registers), machine),
-      words_(words_ahead(timing_)),
+      words_(words_in(ahead, timing_)),
       listener_(std::move(listener)) {
   listener_.holds_port(this);
 }

@@ -16,7 +16,7 @@
 
 namespace softcnc::runtime {
 
-/// Words wait in a queue of half a second. After an alarm, a failure of the port, a missed period
+/// Words wait in a queue. After an alarm, a failure of the port, a missed period
 /// (SC5030), at the end and before a signal ends softcnc, the port is put at rest.
 class RealtimePlayer final : public hal::PortPlayer {
  public:
@@ -29,10 +29,11 @@ class RealtimePlayer final : public hal::PortPlayer {
     Diagnostics::Sink report;
   };
 
-  /// Opens a player on the port of these registers. Errors: SC5031 to SC5033 where an input is on.
+  /// Opens a player on the port of these registers, with a queue of `ahead` s: what waits there is
+  /// written, whatever comes. Errors: SC5031 to SC5033 where an input is on.
   static Result<std::unique_ptr<RealtimePlayer>> open(const Machine& machine,
                                                       std::unique_ptr<hal::PortRegisters> registers,
-                                                      Listener listener);
+                                                      Listener listener, double ahead);
 
   RealtimePlayer(const RealtimePlayer&) = delete;
   RealtimePlayer& operator=(const RealtimePlayer&) = delete;
@@ -48,7 +49,7 @@ class RealtimePlayer final : public hal::PortPlayer {
 
  private:
   RealtimePlayer(const Machine& machine, std::unique_ptr<hal::PortRegisters> registers,
-                 Listener listener);
+                 Listener listener, double ahead);
 
   void run() noexcept;
   Alarm play_all() noexcept;

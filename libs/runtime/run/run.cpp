@@ -15,7 +15,7 @@ JudgedRun run(const RunParts& parts, Diagnostics::Sink show) {
   ipr::Reader reader = parts.program.reader();
   JudgedRun judged;
   judged.outcome = simulate(reader, parts.program.descriptor(), parts.machine, parts.options,
-                            parts.backend, diagnostics, parts.rows, parts.watcher, parts.realtime);
+                            parts.backend, diagnostics, parts.rows, parts.watcher, parts.ahead);
   if (parts.is_judged) judge(judged.outcome, parts.backend, parts.machine, diagnostics);
   shown.finish();
   judged.errors = diagnostics.errors();

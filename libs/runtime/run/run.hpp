@@ -17,7 +17,7 @@
 
 namespace softcnc::runtime {
 
-class RealtimeCycle;
+class SetpointQueue;
 
 /// A program on a machine, and who sees its rows and its progress. All of it must outlive the run.
 struct RunParts {
@@ -27,8 +27,8 @@ struct RunParts {
   hal::Backend& backend;
   RowSink* rows = nullptr;
   Watcher* watcher = nullptr;
-  RealtimeCycle* realtime = nullptr;  // writes the rows in real time, if there is one
-  bool is_judged = true;              // by judge(): not where recorded rows are the judgement
+  SetpointQueue* ahead = nullptr;  // of a run in real time
+  bool is_judged = true;           // by judge(): not where recorded rows are the judgement
 };
 
 struct JudgedRun {

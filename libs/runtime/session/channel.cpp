@@ -130,18 +130,42 @@ void Channel::replan() noexcept {
     add_present();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
     interpolator_.set_feed_override(control_.feed_override);
+    planned_from_ = interpolator_.periods();
     replanned_ = true;
   } catch (...) {
     broken_ = std::current_exception();
   }
 }
 
-void Channel::forget_passed() {
-  queue_.for_each_passed([&](const ipo::TimedBlock& timed) {
-    times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
-    outputs_.pass(timed.block);
-  });
-  queue_.trim();
+bool Channel::stop_after(const Setpoint& last, const std::function<bool()>& in_time) noexcept {
+  if (broken_ || stopping_) return true;
+  try {
+    interpolator_.go_back_to(last);
+    if (queue_.empty()) return true;
+    const RunTimes times = times_;
+    const Outputs outputs = outputs_;
+    queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });
+    add_present();
+    control_.stop = true;
+    stopping_ = replanned_ = feeder_.stop_in_time(queue_, interpolator_.state(),
+                                                  interpolator_.state_time(), control_, in_time);
+    if (stopping_) return true;
+    times_ = times;
+    outputs_ = outputs;
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+  return broken_ != nullptr;
+}
+
+void Channel::pass(const ipo::TimedBlock& timed) {
+  times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
+  outputs_.pass(timed.block);
+}
+
+void Channel::forget_passed(double until) {
+  queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); }, until);
+  queue_.trim(until);
 }
 
 void Channel::rethrow() const {

@@ -7,7 +7,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,6 +43,14 @@ class Channel {
   /// forget_passed().
   std::optional<Setpoint> step(const Panel& panel) noexcept;
 
+  /// Lets a machine that follows the plan to the instant, and has not come further than to the
+  /// setpoint `last`, stop behind that: what has been stepped over since then is taken back.
+  /// Returns false, and has changed nothing, if the stop is found and `in_time` says that it comes
+  /// too late.
+  bool stop_after(const Setpoint& last, const std::function<bool()>& in_time) noexcept;
+  /// Returns the period from which on the path has been planned as it is now.
+  std::int64_t planned_from() const noexcept { return planned_from_; }
+
   /// Ends the path at rest where what has come so far ends: see Feeder::come_to_rest().
   void come_to_rest() noexcept;
 
@@ -65,9 +75,15 @@ class Channel {
 
   /// Returns the blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
-  void forget_passed();
+  /// Forgets what has been passed and ended by the instant `until`, s.
+  void forget_passed(double until = ipo::kUnlimited);
   /// Returns what the blocks forgotten so far have switched on.
   const Outputs& outputs() const noexcept { return outputs_; }
+  /// Returns whether the speed of the spindle is as programmed, whatever its override.
+  bool keeps_spindle_speed() const noexcept {
+    const Move* move = queue_.empty() ? nullptr : queue_.front().move();
+    return move != nullptr && !move->speed_override;
+  }
   /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
   /// machine comes there within seconds.
   void see_path_to(double s) noexcept;
@@ -87,6 +103,7 @@ class Channel {
  private:
   bool plan_ahead() noexcept;
   void replan() noexcept;
+  void pass(const ipo::TimedBlock& timed);
   double request_time() const noexcept;
   void add_period(const Setpoint& next) noexcept;
   void add_present();
@@ -102,8 +119,9 @@ class Channel {
   RunTimes times_;                    // of what has been forgotten
   Limit limit_before_ = Limit::stop;  // of the last row
   bool started_ = false, stopping_ = false;
-  bool replanned_ = false;   // the interpolator does not know of it yet
-  double quiet_start_ = -1;  // s: when that block begins
+  std::int64_t planned_from_ = 0;  // period
+  bool replanned_ = false;         // the interpolator does not know of it yet
+  double quiet_start_ = -1;        // s: when that block begins
   ipo::QuietStretch quiet_;  // of the present block, from the instant on at which it was looked at
   std::exception_ptr broken_;
 };

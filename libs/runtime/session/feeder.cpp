@@ -123,11 +123,30 @@ void Feeder::find_pauses(const ipo::TimedBlock& timed) {
 void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
                     const ipo::FeedControl& asked) {
   CpuLaps cpu;
+  begin_replan(queue, asked);
+  queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
+  cpu_ += cpu.lap();
+}
+
+bool Feeder::stop_in_time(ipo::BlockQueue& queue, const ipo::State& now, double t,
+                          const ipo::FeedControl& asked, const std::function<bool()>& in_time) {
+  CpuLaps cpu;
+  begin_replan(queue, asked);
+  ipo::PartlyPassed rest = queue.take_rest();
+  const bool stops = planner_.halt_in_time(rest, now, t, asked, in_time);
+  if (stops)
+    queue.begin_again(std::move(rest.blocks), t);
+  else
+    queue.put_back(std::move(rest));
+  cpu_ += cpu.lap();
+  return stops;
+}
+
+/// Blocks that come again bring their pauses; after a stop nothing more is read.
+void Feeder::begin_replan(const ipo::BlockQueue& queue, const ipo::FeedControl& asked) {
   pauses_.clear();
   ended_ = ended_ || asked.stop;
   last_block_ = queue.front().block.number;
-  queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
-  cpu_ += cpu.lap();
 }
 
 void Feeder::finish(ipo::BlockQueue& queue) {

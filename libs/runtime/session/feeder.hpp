@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -55,8 +56,19 @@ class Feeder {
   void replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
               const ipo::FeedControl& asked);
 
+  /// Lets the machine stop likewise, unless `in_time`, which is asked once the stop is found, says
+  /// that it comes too late: then the queue stays as it is, and the result is false.
+  bool stop_in_time(ipo::BlockQueue& queue, const ipo::State& now, double t,
+                    const ipo::FeedControl& asked, const std::function<bool()>& in_time);
+
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
+
+  /// Sets the switches of the operator for the lines that have not been read yet.
+  void set_switches(bool block_skip, bool optional_stop, bool single_block) noexcept {
+    interpreter_.set_switches(block_skip, optional_stop);
+    options_.single_block = single_block;
+  }
 
   /// Returns the pauses up to the end of the queue.
   const std::deque<Pause>& pauses() const noexcept { return pauses_; }
@@ -99,13 +111,14 @@ class Feeder {
   bool is_endless();
   void read_unplanned(std::optional<Block> block);
   void find_pauses(const ipo::TimedBlock& timed);
+  void begin_replan(const ipo::BlockQueue& queue, const ipo::FeedControl& asked);
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
 
   int input_;  // where it reads
   const Machine& machine_;
   const Machine path_machine_;  // with the limits of its paths
-  const ChannelOptions options_;
+  ChannelOptions options_;
   Diagnostics& diagnostics_;
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;

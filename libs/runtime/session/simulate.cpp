@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A run in batches: the cycle fills one with rows, which are then verified and written. In real
-// time the rows come back later, and the real-time cycle writes them.
+// time setpoints wait for their instants first, and their rows come back later.
 #include "runtime/session/simulate.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <utility>
 #include <vector>
 
 #include "runtime/figures/cpu_clock.hpp"
 #include "runtime/program/descriptor.hpp"
-#include "runtime/realtime/realtime_cycle.hpp"
+#include "runtime/realtime/setpoint_queue.hpp"
+#include "runtime/session/batch.hpp"
 #include "runtime/session/channel.hpp"
 #include "runtime/session/output_events.hpp"
 #include "runtime/session/verification.hpp"
@@ -21,145 +23,71 @@ namespace {
 
 constexpr std::size_t kBatch = 256;      // rows
 constexpr double kLongestBatch = 0.256;  // s: a backend may run in real time
-constexpr std::size_t kFelt = 3;         // rows before one that its differences depend on
 constexpr int kPause = 20;               // ms: where a pipe gives nothing for so long, it pauses
-constexpr std::int64_t kFewQuiet = 32;   // rows: fewer are not worth passing over
+constexpr double kStopAhead = 0.025;     // s from a request to the setpoint where its stop begins
 
 std::size_t batch_of(const Machine& machine) {
   const double rows = std::round(kLongestBatch / machine.control.period);
   return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kBatch)));
 }
 
-/// A Recorder that keeps the rows of a batch, with what the backend says of them if there is one:
-/// its values, and where the axes were.
-class RowBuffer {
- public:
-  explicit RowBuffer(const hal::Backend* backend)
-      : backend_(backend),
-        columns_(backend ? row_columns(*backend).size() : 0),
-        rows_(kBatch),
-        pulses_(kBatch),
-        fine_(kBatch),
-        values_(kBatch * columns_),
-        actual_(kBatch) {}
-
-  void clear() noexcept { used_ = 0; }
-  void record(const Setpoint& setpoint, const Feedback&) noexcept {
-    if (backend_) keep_what_backend_knows();
-    rows_[used_] = setpoint;
-    if (!setpoint.pulses.empty()) keep_pulses(setpoint.pulses);
-    if (!setpoint.fine.empty()) keep_fine(setpoint.fine);
-    ++used_;
-  }
-
-  std::span<const Setpoint> rows() const noexcept { return std::span(rows_).first(used_); }
-  std::span<double> values(std::size_t row) noexcept {
-    return std::span(values_).subspan(row * columns_, columns_);
-  }
-  std::span<const AxisVector> actual(std::size_t row) const noexcept { return actual_[row]; }
-
- private:
-  void keep_what_backend_knows() noexcept {
-    const auto actual = backend_->actual();
-    backend_->values(values(used_).first(backend_->columns().size()));
-    actual_[used_].assign(actual.begin(), actual.end());
-  }
-  /// Those of the setpoint stand only until the next one is made.
-  void keep_pulses(std::span<const TimedStep> pulses) noexcept {
-    pulses_[used_].assign(pulses.begin(), pulses.end());
-    rows_[used_].pulses = pulses_[used_];
-  }
-  void keep_fine(std::span<const FinePoint> fine) noexcept {
-    fine_[used_].assign(fine.begin(), fine.end());
-    rows_[used_].fine = fine_[used_];
-  }
-
-  const hal::Backend* backend_;
-  std::size_t columns_, used_ = 0;
-  std::vector<Setpoint> rows_;
-  std::vector<std::vector<TimedStep>> pulses_;
-  std::vector<std::vector<FinePoint>> fine_;
-  std::vector<double> values_;
-  std::vector<std::vector<AxisVector>> actual_;
-};
-
-/// A Source that ends with the batch, before the program waits or is to be planned again, or where
-/// rows need not be looked at and no difference feels those before any more.
-class Batch {
- public:
-  Batch(Channel& channel, std::size_t rows, bool skims) noexcept
-      : channel_(channel), left_(rows), skims_(skims) {}
-  std::optional<Setpoint> step(const Panel& panel) noexcept {
-    if (left_ == 0 || channel_.request_due() || channel_.pause_ahead()) return std::nullopt;
-    if (skims_ && !quiet_ && left_ >= kFelt && channel_.quiet_ahead().rows >= kFewQuiet) {
-      quiet_ = true;
-      left_ = kFelt;
-    }
-    --left_;
-    auto next = channel_.step(panel);
-    at_end_ = !next && !channel_.waiting();
-    return next;
-  }
-
-  /// Nothing follows the batch.
-  bool at_end() const noexcept { return at_end_; }
-  /// What follows is quiet, and no difference there feels the rows before the quiet ones.
-  bool leads_into_quiet() const noexcept { return quiet_ && left_ == 0 && !at_end_; }
-
- private:
-  Channel& channel_;
-  std::size_t left_;
-  bool skims_, quiet_ = false, at_end_ = false;
-};
-
 class Simulation {
  public:
   Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
-             hal::Backend& backend, Diagnostics& diagnostics, RealtimeCycle* realtime)
+             hal::Backend& backend, Diagnostics& diagnostics, RowSink* rows, Watcher* watcher,
+             SetpointQueue* ahead)
       : input_(input),
         requests_(options.feed_override, options.events),
         channel_(reader, input, machine, options, requests_, diagnostics),
         backend_(backend),
         backend_kind_(machine.control.backend),
-        realtime_(realtime),
-        buffer_(realtime ? nullptr : &backend),
+        rows_(rows),
+        watcher_(watcher),
+        ahead_(ahead),
+        goes_back_(machine.control.interpolation == Method::arc_length),
+        period_(machine.control.period),
+        buffer_(backend, kBatch),
         batch_(batch_of(machine)),
-        skims_(options.skims && !realtime),
+        skims_(options.skims && !ahead && !(rows && rows->observer())),
         rests_at_pauses_(options.rests_at_pauses && options.events.empty()),
         verification_(machine),
         diagnostics_(diagnostics),
         worst_lines_(options.worst_lines),
         line_times_(options.line_times) {
     if (knows_contour(backend)) contour_.emplace(machine.control.period);
-    if (realtime_ && contour_) realtime_->measure(*contour_);
     channel_.feeder().show(verification_.programmed());
+    if (rows) verification_.inform(rows->observer());
   }
 
-  Outcome run(RowSink* rows, Watcher* watcher) {
-    rows_ = rows;
-    RowObserver* observer = rows ? rows->observer() : nullptr;
-    verification_.inform(observer);
-    skims_ = skims_ && !observer;
+  Outcome run() {
     do {
+      if (channel_.request_due()) close_batch();
       channel_.answer_requests();
-      wait(rows, watcher);
-      if (channel_.waiting()) wait_for_more(rows, watcher);
-      if (watcher && !requests_.stops() && watcher->wants_stop()) requests_.stop();
-    } while (run_batch(rows, watcher));
+      wait();
+      if (channel_.waiting()) wait_for_more();
+      look_for_stop();
+    } while (ahead_ ? plan_batch() : run_batch());
     channel_.rethrow();
-    if (realtime_) end_realtime();
+    if (ahead_) end_ahead();
     return finish();
   }
 
  private:
-  void wait(RowSink* rows, Watcher* watcher);
-  void wait_for_more(RowSink* rows, Watcher* watcher);
-  bool run_batch(RowSink* rows, Watcher* watcher);
-  void pass_quiet_rows(Watcher* watcher);
+  void wait();
+  void wait_for_more();
+  bool look_for_stop();
+  void stop();
+  bool run_batch();
+  bool plan_batch();
+  bool play_all();
+  void close_batch();
+  void take_back(std::size_t rows);
+  void collect();
+  void look_at_rows(const Feedback& last);
+  void pass_quiet_rows();
   void verify();
-  bool write(RowSink* rows, const CycleReport& cycle);
-  bool collect();
-  void end_realtime();
+  void write();
+  void end_ahead();
   void keep_times();
   double lap() noexcept;
   std::optional<KeptPosition> kept_position() const;
@@ -170,14 +98,19 @@ class Simulation {
   Channel channel_;
   hal::Backend& backend_;
   BackendKind backend_kind_;
-  RealtimeCycle* realtime_;
+  RowSink* rows_;
+  Watcher* watcher_;
+  SetpointQueue* ahead_;  // of setpoints in real time
+  bool goes_back_;        // where they are taken back
+  double period_;         // s
   RowBuffer buffer_;
-  std::size_t batch_;           // rows
-  bool skims_, quiet_ = false;  // what follows
+  std::size_t batch_;                // rows
+  std::deque<std::size_t> batches_;  // rows planned ahead and not looked at, by batch,
+  std::size_t planned_ = 0;          // and of the batch that is being planned
+  bool skims_, quiet_ = false;       // what follows
   bool rests_at_pauses_, rested_ = false;
   bool wanted_ = true;  // rows
   Verification verification_;
-  const RowSink* rows_ = nullptr;
   Diagnostics& diagnostics_;
   std::size_t worst_lines_;
   bool line_times_;
@@ -189,38 +122,84 @@ class Simulation {
 };
 
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
-void Simulation::wait(RowSink* rows, Watcher* watcher) {
+void Simulation::wait() {
   while (const Pause* pause = channel_.pause_ahead()) {
-    if (realtime_) realtime_->rest();
+    if (!play_all()) return;
     backend_.rest();
-    if (rows) rows->rest();
-    if (watcher) watcher->pause(*pause);
+    if (rows_) rows_->rest();
+    if (watcher_) watcher_->pause(*pause);
     channel_.resume();
   }
 }
 
+/// Lets all setpoints so far be played; false where a stop is requested before that.
+bool Simulation::play_all() {
+  if (ahead_) ahead_->rest();
+  close_batch();
+  while (ahead_ && !ahead_->all_back()) {
+    ahead_->wait();
+    collect();
+    if (look_for_stop()) return false;
+  }
+  if (ahead_) collect();
+  return true;
+}
+
+bool Simulation::look_for_stop() {
+  if (!watcher_ || requests_.stops() || !watcher_->wants_stop()) return false;
+  stop();
+  return true;
+}
+
+/// Setpoints that wait are taken back from a little ahead of now on, and the stop begins there. A
+/// plan that is not made in time is made again for a later instant.
+void Simulation::stop() {
+  requests_.stop();
+  if (!ahead_ || !goes_back_) return;
+  for (double time = kStopAhead;; time *= 2) {
+    const auto cut = ahead_->cut_in(time, channel_.planned_from());
+    const std::size_t behind = cut ? ahead_->count_after(*cut) : 0;
+    if (!cut || channel_.stop_after(cut->last, [&] { return ahead_->take_back(*cut); }))
+      return take_back(behind);
+  }
+}
+
+/// The last rows planned will not come.
+void Simulation::take_back(std::size_t rows) {
+  while (rows > planned_) {
+    planned_ += batches_.back();
+    batches_.pop_back();
+  }
+  planned_ -= rows;
+}
+
+/// The rows of a batch are looked at together, those that are planned ahead like others.
+void Simulation::close_batch() {
+  if (planned_ > 0) batches_.push_back(std::exchange(planned_, 0));
+}
+
 /// A reader of the rows gets what there is, however long the next line of the program takes.
-void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) {
+void Simulation::wait_for_more() {
   if (rests_at_pauses_ && !rested_ && !has_input(input_, kPause)) {
     rested_ = true;
     return channel_.come_to_rest();
   }
   rested_ = false;
-  if (realtime_) realtime_->rest();
-  if (rows) rows->flush();
-  if (watcher)
-    watcher->wait_for_input(input_);
+  if (ahead_ && !play_all()) return;
+  if (rows_) rows_->flush();
+  if (watcher_)
+    watcher_->wait_for_input(input_);
   else
     wait_for_input(input_);
 }
 
 /// The rows before have been in the stretch as long as a difference reaches back; those that the
 /// first one after it depends on are shown again.
-void Simulation::pass_quiet_rows(Watcher* watcher) {
+void Simulation::pass_quiet_rows() {
   const Channel::Quiet quiet = channel_.quiet_ahead();
-  constexpr std::int64_t felt{kFelt};
+  constexpr std::int64_t felt{Batch::kFelt};
   std::int64_t left = quiet.rows - felt;
-  while (left > 0 && !requests_.stops() && !(watcher && watcher->wants_stop())) {
+  while (left > 0 && !requests_.stops() && !(watcher_ && watcher_->wants_stop())) {
     const std::int64_t rows = left > felt ? std::min(left - felt, quiet.to_next) : 1;
     channel_.pass_over(rows - 1);
     const auto row = channel_.step(requests_.panel());
@@ -239,27 +218,71 @@ double Simulation::lap() noexcept {
 }
 
 /// True if more may follow.
-bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
+bool Simulation::run_batch() {
   buffer_.clear();
-  if (std::exchange(quiet_, false)) pass_quiet_rows(watcher);
+  if (std::exchange(quiet_, false)) pass_quiet_rows();
   Batch batch(channel_, batch_, skims_);
-  const CycleReport cycle = realtime_ ? run_cycle(batch, *realtime_, buffer_, requests_.panel())
-                                      : run_cycle(batch, backend_, buffer_, requests_.panel());
+  const CycleReport cycle = run_cycle(batch, backend_, buffer_, requests_.panel());
+  look_at_rows(cycle.last);
+  quiet_ = batch.leads_into_quiet();
+  channel_.forget_passed();
+  return outcome_.end == Outcome::End::done && !batch.at_end();
+}
+
+/// Their rows come back from the queue.
+struct NoRecorder {
+  void record(const Setpoint&, const Feedback&) noexcept {}
+};
+
+/// Fills the queue of setpoints, as far as it has room. True if more may follow.
+bool Simulation::plan_batch() {
+  const std::size_t room = std::min(batch_ - planned_, ahead_->capacity_left());
+  Batch batch(channel_, room, false);
+  NoRecorder recorder;
+  const CycleReport cycle = run_cycle(batch, *ahead_, recorder, requests_.panel());
+  planned_ += static_cast<std::size_t>(cycle.setpoints);
+  if (planned_ == batch_ || batch.ends_early()) close_batch();
+  if (room == 0) ahead_->wait();
+  collect();
+  if (batch.at_end() && play_all()) return false;
+  return outcome_.end == Outcome::End::done;
+}
+
+/// The batches that are back by now.
+void Simulation::collect() {
+  while (!batches_.empty() && ahead_->back() >= batches_.front()) {
+    buffer_.clear();
+    Feedback last = outcome_.feedback;
+    ahead_->collect(batches_.front(), [&](const SetpointQueue::Row& row) {
+      buffer_.add(row);
+      last = row.feedback;
+    });
+    batches_.pop_front();
+    look_at_rows(last);
+    const auto passed = static_cast<double>(outcome_.last.period - 1) * period_;
+    channel_.forget_passed(passed);
+  }
+}
+
+void Simulation::look_at_rows(const Feedback& last) {
   outcome_.cpu.cycle += lap();
   verify();
   outcome_.cpu.verification += lap();
-  wanted_ = realtime_ ? collect() : write(rows, cycle);
-  if (!wanted_) requests_.stop();  // the machine comes to rest on the path all the same
-  quiet_ = batch.leads_into_quiet();
-  if (watcher) {
-    watcher->reads(channel_.feeder().read_to(), Reading::run);
-    watcher->sees(outcome_.last);
+  if (const auto rows = buffer_.rows(); !rows.empty()) {
+    outcome_.setpoints += static_cast<std::int64_t>(rows.size());
+    outcome_.feedback = last;
+    outcome_.last = rows.back();
+    outcome_.last.pulses = {};
+    outcome_.last.fine = {};
+  }
+  write();
+  if (watcher_) {
+    watcher_->reads(channel_.feeder().read_to(), Reading::run);
+    watcher_->sees(outcome_.last);
   }
   channel_.feeder().states().pass(outcome_.last.block);
-  channel_.forget_passed();
   outcome_.cpu.output += lap();
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  return outcome_.end == Outcome::End::done && !batch.at_end();
 }
 
 void Simulation::verify() {
@@ -269,37 +292,22 @@ void Simulation::verify() {
   verification_.add(rows, channel_.queue());
   if (contour_) add_path(rows, planned_s_, channel_.queue(), *contour_);
   planned_s_ = rows.back().s;
-  for (std::size_t i = 0; contour_ && !realtime_ && i < rows.size(); ++i)
+  for (std::size_t i = 0; contour_ && i < rows.size(); ++i)
     measure_contour(rows[i], buffer_.actual(i), *contour_, buffer_.values(i));
 }
 
-bool Simulation::write(RowSink* rows, const CycleReport& cycle) {
-  outcome_.setpoints += cycle.setpoints;
-  if (cycle.setpoints > 0) {
-    outcome_.feedback = cycle.last;
-    outcome_.last = buffer_.rows().back();
-  }
-  bool wanted = wanted_;
-  for (std::size_t i = 0; rows && wanted && i < buffer_.rows().size(); ++i)
-    wanted = rows->row(buffer_.rows()[i], buffer_.values(i));
-  return wanted;
+/// Where rows are no longer wanted the machine comes to rest on the path all the same.
+void Simulation::write() {
+  for (std::size_t i = 0; rows_ && wanted_ && i < buffer_.rows().size(); ++i)
+    wanted_ = rows_->row(buffer_.rows()[i], buffer_.values(i));
+  if (!wanted_ && !requests_.stops()) stop();
 }
 
-/// What has come back so far.
-bool Simulation::collect() {
-  const bool wanted = realtime_->collect();
-  outcome_.setpoints = realtime_->rows();
-  outcome_.feedback = realtime_->feedback();
-  outcome_.last = realtime_->last();
-  return wanted;
-}
-
-void Simulation::end_realtime() {
-  if (outcome_.end == Outcome::End::done) realtime_->rest();
-  realtime_->stop();
-  wanted_ = collect();
-  if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  channel_.feeder().states().pass(outcome_.last.block);
+void Simulation::end_ahead() {
+  ahead_->stop();
+  close_batch();
+  collect();
+  channel_.forget_passed();
 }
 
 void Simulation::keep_times() {
@@ -352,9 +360,9 @@ Outcome Simulation::finish() {
 
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher, RealtimeCycle* realtime) {
-  return Simulation(reader, input, machine, options, backend, diagnostics, realtime)
-      .run(rows, watcher);
+                 RowSink* rows, Watcher* watcher, SetpointQueue* ahead) {
+  return Simulation(reader, input, machine, options, backend, diagnostics, rows, watcher, ahead)
+      .run();
 }
 
 }  // namespace softcnc::runtime

@@ -12,13 +12,13 @@
 
 namespace softcnc::runtime {
 
-class RealtimeCycle;
+class SetpointQueue;
 
 /// Runs a program as fast as the computer can, with the same rows every time. `rows` and `watcher`
-/// may be null; `input` is the descriptor of the reader. With `realtime`, which then writes the
-/// rows, it runs in real time, with the same rows all the same.
+/// may be null; `input` is the descriptor of the reader. With `ahead` setpoints wait there for
+/// their instants, and a stop takes back those that wait; the rows are the same ones.
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher, RealtimeCycle* realtime = nullptr);
+                 RowSink* rows, Watcher* watcher, SetpointQueue* ahead = nullptr);
 
 }  // namespace softcnc::runtime

@@ -35,7 +35,7 @@ std::vector<std::string> row_columns(const hal::Backend& backend) {
 void add_path(std::span<const Setpoint> rows, double from, const ipo::BlockQueue& queue,
               Contour& contour) {
   if (rows.empty()) return;
-  contour.begin(rows.size(), from);
+  contour.begin(from);
   const double to = rows.back().s + Contour::kAhead;
   queue.for_each([&](const ipo::TimedBlock& timed) { add_block(timed, from, to, contour); });
 }
