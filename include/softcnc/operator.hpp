@@ -104,10 +104,12 @@ class SOFTCNC_API Operator {
   /// The machine stands at `place`, mm, machine coordinates: somebody has looked.
   Refusal set_position(const AxisVector& place);
 
-  /// Multiplies the programmed feed, from 0.1 to 2; and the speed of rapids, from 0.01 to 1.
+  /// Multiplies the programmed feed and the speed of the spindle, from 0.1 to 2; and the speed of
+  /// rapids, from 0.01 to 1.
   void set_feed_override(double feed_override) noexcept;
   void set_rapid_override(double rapid_override) noexcept;
-  /// Count from the next program on.
+  void set_spindle_override(double spindle_override) noexcept;
+  /// Count for the lines that have not been read yet: a running program is read ahead.
   void set_block_skip(bool on) noexcept;
   void set_optional_stop(bool on) noexcept;
   void set_single_block(bool on) noexcept;

@@ -91,6 +91,9 @@ void Operator::set_feed_override(double feed_override) noexcept {
 void Operator::set_rapid_override(double rapid_override) noexcept {
   data_->operated.set_rapid_override(rapid_override);
 }
+void Operator::set_spindle_override(double spindle_override) noexcept {
+  data_->operated.set_spindle_override(spindle_override);
+}
 void Operator::set_block_skip(bool on) noexcept { data_->operated.set_block_skip(on); }
 void Operator::set_optional_stop(bool on) noexcept { data_->operated.set_optional_stop(on); }
 void Operator::set_single_block(bool on) noexcept { data_->operated.set_single_block(on); }

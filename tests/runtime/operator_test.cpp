@@ -238,6 +238,62 @@ TEST_CASE("abort in Hold ends the program where the machine is", "[runtime][oper
   desk.check_limits();
 }
 
+TEST_CASE("the override of the spindle counts at once, except where a program forbids it",
+          "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.line("S1000 M04\n"));
+  desk.settle();
+  const auto rpm = [&] { return desk.operated.outputs().spindle_rpm; };
+  CHECK(rpm() == -1000);
+  desk.operated.set_spindle_override(0.5);
+  CHECK(rpm() == -500);
+  desk.operated.set_spindle_override(3);
+  CHECK(rpm() == -2000);
+  REQUIRE(desk.operated.line("S20000\n"));
+  desk.settle();
+  CHECK(rpm() == -24'000);  // the fastest of the machine
+  REQUIRE(desk.operated.line("M49 S1000 G01 X50 F1000\n"));
+  desk.run(500);
+  REQUIRE(desk.operated.moving());
+  CHECK(rpm() == -1000);
+  REQUIRE(desk.operated.line("M48 X100\n"));
+  desk.settle();
+  CHECK(rpm() == -2000);
+}
+
+TEST_CASE("switches of the operator count for the lines that have not been read",
+          "[runtime][operator]") {
+  std::string program = "G01 F1200\n";
+  for (int i = 1; i <= 60; ++i)
+    program += "/Y9\nX" + std::to_string(10 * i) + " Y" + std::to_string(3 * (i % 2)) + "\nM01\n";
+  Desk desk(BackendKind::none);
+  REQUIRE(desk.operated.start(program));
+  desk.run(1000);
+  desk.operated.set_block_skip(true);
+  desk.run(900'000, [&] { return desk.operated.position().x() > 300; });
+  double highest = 0;
+  desk.run(2000, [&] {
+    highest = std::max(highest, desk.operated.position().y());
+    return false;
+  });
+  CHECK(highest < 4);
+  desk.operated.set_optional_stop(true);
+  desk.settle();
+  CHECK(desk.operated.mode() == MachineMode::hold);
+  desk.operated.set_optional_stop(false);
+  desk.operated.set_single_block(true);
+  const double x = desk.operated.position().x();
+  int stops = 0;
+  while (desk.operated.mode() == MachineMode::hold) {
+    ++stops;
+    REQUIRE(desk.operated.resume());
+    desk.settle();
+  }
+  CHECK(x < 600);
+  CHECK(stops > 3);
+  CHECK(desk.operated.position().x() == 600);
+}
+
 TEST_CASE("docs/operating.md shows the table of states and requests", "[runtime][operator]") {
   std::string table = "| |";
   for (const auto name : kRequestNames) table += ' ' + std::string(name) + " |";

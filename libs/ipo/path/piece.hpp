@@ -30,24 +30,27 @@ struct MoveAttributes {
   double corner_tolerance = 0, chord_tolerance = 0;
   bool feed_override = true;
   std::optional<Surface> surface{};
+  bool speed_override = true;
 
   bool operator==(const MoveAttributes&) const = default;
 };
 
 inline MoveAttributes attributes_of(const Move& move) {
-  return {move.rapid,           move.feed,          move.corner_tolerance,
-          move.chord_tolerance, move.feed_override, move.surface};
+  return {move.rapid,         move.feed,    move.corner_tolerance, move.chord_tolerance,
+          move.feed_override, move.surface, move.speed_override};
 }
 
 inline Move make_move(Path path, const MoveAttributes& attributes) {
-  return {std::move(path),
-          attributes.rapid,
-          attributes.feed,
-          PathMode::follow,
-          attributes.corner_tolerance,
-          attributes.chord_tolerance,
-          attributes.feed_override,
-          attributes.surface};
+  Move move{std::move(path),
+            attributes.rapid,
+            attributes.feed,
+            PathMode::follow,
+            attributes.corner_tolerance,
+            attributes.chord_tolerance,
+            attributes.feed_override,
+            attributes.surface};
+  move.speed_override = attributes.speed_override;
+  return move;
 }
 
 }  // namespace softcnc::ipo

@@ -33,6 +33,7 @@ void Operator::begin_session(const MachineState& state) {
   session_.emplace(machine_, options_, backend_, sink_, report_);
   session_->set_feed_override(feed_override_);
   session_->set_rapid_override(rapid_override_);
+  session_->set_spindle_override(spindle_override_);
   if (begun_) session_->count_on_from(last_);
   running_ = is_program_ = false;
   left_.reset();

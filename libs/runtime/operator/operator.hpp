@@ -84,10 +84,11 @@ class Operator {
 
   void set_feed_override(double feed_override) noexcept;
   void set_rapid_override(double rapid_override) noexcept;
-  /// Count from the next program on.
-  void set_block_skip(bool on) noexcept { options_.interpreter.block_skip = on; }
-  void set_optional_stop(bool on) noexcept { options_.interpreter.optional_stop = on; }
-  void set_single_block(bool on) noexcept { options_.single_block = on; }
+  void set_spindle_override(double spindle_override) noexcept;
+  /// Count for the lines that have not been read yet: a running program is read ahead.
+  void set_block_skip(bool on) noexcept;
+  void set_optional_stop(bool on) noexcept;
+  void set_single_block(bool on) noexcept;
   /// The machine stands at `place`, mm, machine coordinates: somebody has looked. Errors: SC5080
   /// while it moves, or beyond what can be kept.
   Status set_position(const AxisVector& place);
@@ -139,6 +140,7 @@ class Operator {
   std::optional<Row> step_of(Session& session);
   void settle_jog();
   void settle_program();
+  void set_switches() noexcept;
 
   const Machine& machine_;
   const Machine free_machine_;  // without ends of travel
@@ -165,7 +167,7 @@ class Operator {
   bool door_open_ = false;
   std::int64_t waits_ = 0;        // periods: for the spindle
   std::optional<Switch> switch_;  // at an end of an axis
-  double feed_override_ = 1, rapid_override_ = 1;
+  double feed_override_ = 1, rapid_override_ = 1, spindle_override_ = 1;
   std::vector<double> values_;  // of the row of an alarm
 };
 

@@ -246,6 +246,32 @@ void Operator::set_rapid_override(double rapid_override) noexcept {
   session_->set_rapid_override(rapid_override_);
 }
 
+void Operator::set_spindle_override(double spindle_override) noexcept {
+  session_->set_spindle_override(spindle_override);
+  if (!std::isnan(spindle_override)) spindle_override_ = spindle_override;
+  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) outputs_ = session_->outputs();
+}
+
+void Operator::set_block_skip(bool on) noexcept {
+  options_.interpreter.block_skip = on;
+  set_switches();
+}
+
+void Operator::set_optional_stop(bool on) noexcept {
+  options_.interpreter.optional_stop = on;
+  set_switches();
+}
+
+void Operator::set_single_block(bool on) noexcept {
+  options_.single_block = on;
+  set_switches();
+}
+
+void Operator::set_switches() noexcept {
+  session_->set_switches(options_.interpreter.block_skip, options_.interpreter.optional_stop,
+                         options_.single_block);
+}
+
 Status Operator::set_position(const AxisVector& place) {
   const bool rests = mode_ == MachineMode::idle || mode_ == MachineMode::alarm;
   if (!rests || jog_) return refusal("set_position: only at rest, in Idle or Alarm");

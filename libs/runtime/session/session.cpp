@@ -193,6 +193,31 @@ Row Session::exchange(const Setpoint& setpoint) {
   return {row, feedback, values_};
 }
 
+void Session::set_spindle_override(double spindle_override) noexcept {
+  constexpr double kLeast = 0.1;
+  if (std::isnan(spindle_override)) return;
+  spindle_override_ = std::clamp(spindle_override, kLeast, kLargestOverride);
+}
+
+void Session::set_switches(bool block_skip, bool optional_stop, bool single_block) noexcept {
+  options_.interpreter.block_skip = block_skip;
+  options_.interpreter.optional_stop = optional_stop;
+  options_.single_block = single_block;
+  channel_->feeder().set_switches(block_skip, optional_stop, single_block);
+}
+
+Outputs Session::outputs() const noexcept {
+  Outputs outputs = channel_->outputs();
+  const double programmed = std::abs(outputs.spindle_rpm);
+  if (programmed == 0 || channel_->keeps_spindle_speed()) return outputs;
+  const Spindle& spindle = machine_.spindle;
+  const double speed =
+      std::clamp(spindle_override_ * programmed, std::min(spindle.min_rpm, programmed),
+                 std::max(spindle.max_rpm, programmed));
+  outputs.spindle_rpm = std::copysign(speed, outputs.spindle_rpm);
+  return outputs;
+}
+
 void Session::resume() noexcept {
   requests_.resume();
   if (status_ != SessionStatus::paused) return;

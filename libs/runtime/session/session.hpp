@@ -93,6 +93,12 @@ class Session {
   void set_rapid_override(double rapid_override) noexcept {
     requests_.set_rapid_override(rapid_override);
   }
+  /// Multiplies the speed of the spindle, from 0.1 to 2; it stays within the machine's. NaN changes
+  /// nothing.
+  void set_spindle_override(double spindle_override) noexcept;
+  /// Sets whether lines that begin with '/' are passed over, M01 stops, and every move ends at rest
+  /// and waits, from the lines on that have not been read yet.
+  void set_switches(bool block_skip, bool optional_stop, bool single_block) noexcept;
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept { requests_.stop(); }
 
@@ -109,8 +115,9 @@ class Session {
   MachineState state();
   /// Returns the length of the unit in which the lines that follow are read, mm.
   double mm_per_unit() const noexcept { return channel_->feeder().memory().modal.mm_per_unit; }
-  /// Returns what has been switched on at the place of the last row.
-  const Outputs& outputs() const noexcept { return channel_->outputs(); }
+  /// Returns what is switched on at the place of the last row, at the speed that the override of
+  /// the spindle leaves.
+  Outputs outputs() const noexcept;
   /// Returns where the last row was, mm; before the first one, where the session begins.
   const AxisVector& position() const noexcept { return last_.position; }
 
@@ -134,6 +141,7 @@ class Session {
   std::optional<Verification> verification_;
   std::optional<Contour> contour_;
   std::vector<double> values_;
+  double spindle_override_ = 1;
   bool fed_ = false;      // all there is
   bool rests_ = false;    // where what has been fed ends
   double planned_s_ = 0;  // mm: of the last row
