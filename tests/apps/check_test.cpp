@@ -55,7 +55,7 @@ TEST_CASE("check reports no travel after offsets that an error has left unknown"
   CHECK(carets("G0 X-5..00\nG92 X0\nG0 X1200\n") == 1);
   CHECK(carets("G0 X-5..00\nG10 L20 P1 X0\nG0 X1200\n") == 1);
   CHECK(carets("G0 Z-5..00\nG10 L10 P1 Z0\nG43 H1\nG0 Z-1200\n") == 1);
-  CHECK(carets("G0 Z-500\nG38.2 Z0 F100\nG92 Z0\nG1 Z-1200\n") == 1);
+  CHECK(carets("G0 Z-500\nG33 Z0 K1\nG92 Z0\nG1 Z-1200\n") == 1);
   CHECK(carets("M70\nG20\nM72\nG0 X1500\n") == 1);
   CHECK(carets("G68 X0 Y0 R90\nG0 X1500\n") == 1);
   CHECK(carets("G51 X0 P0.5\nG0 X3000\n") == 1);

@@ -40,26 +40,26 @@ TEST_CASE("a refused code on a line that is never run is a warning", "[ipr][unre
                     std::string(name(d.severity())));
     return all;
   };
-  CHECK(found("o<touch> sub\nG38.2 Z-5 F10\nG999\nG33 Z-1 K1\nX1\no<touch> endsub\nM2\n") ==
+  CHECK(found("o<touch> sub\nG33.1 Z-5 K1\nG999\nG33 Z-1 K1\nX1\no<touch> endsub\nM2\n") ==
         Told{"SC2114 2 warning", "SC2001 3 error", "SC2114 4 warning"});
-  CHECK(found("o1 if [0]\nG38.5 Z-5 F10\nG76 Z1 P1 I1 J1 K1\no1 endif\nG0 X1\nM2\n") ==
+  CHECK(found("o1 if [0]\nG33 Z-5 K1\nG76 Z1 P1 I1 J1 K1\no1 endif\nG0 X1\nM2\n") ==
         Told{"SC2114 2 warning", "SC2114 3 warning"});
-  CHECK(found("O1\nGOTO 9\nG31 Z-5.\nG76 Z-1. R1. Q1.\nM29 S9\nN9 M30\nO2\nG31 Z#1\nG96\nM99\n",
+  CHECK(found("O1\nGOTO 9\nG33 Z-5. F1.\nG76 Z-1. R1. Q1.\nM29 S9\nN9 M30\nO2\nG33 Z#1\nG96\nM99\n",
               Dialect::fanuc) == Told{"SC2114 8 warning", "SC2221 9 warning", "SC2114 3 warning",
                                       "SC2161 4 warning", "SC2114 5 warning"});
-  CHECK(found("G38.2 Z-5 F10\nM2\n") == Told{"SC2114 1 error"});
-  CHECK(found("o<a> sub\nG38.2 Z..5\no<a> endsub\nM2\n") ==
+  CHECK(found("G33 Z-5 K1\nM2\n") == Told{"SC2114 1 error"});
+  CHECK(found("o<a> sub\nG33 Z..5\no<a> endsub\nM2\n") ==
         Told{"SC2114 2 warning", "SC1004 2 error"});
 
   InterpreterOptions options;
   options.unreachable_too = true;
-  const auto one = interpret("o<a> sub\nG38.2 Z-5\no<a> endsub\nM2\n", Machine{}, options);
+  const auto one = interpret("o<a> sub\nG33 Z-5\no<a> endsub\nM2\n", Machine{}, options);
   REQUIRE(one.diagnostics.size() == 1);
   CHECK(one.diagnostics[0].message ==
-        "G38.2 is refused: it moves up to the signal of a probe, and the machine has none; nothing "
-        "runs this line");
+        "G33 is refused: threads need a spindle with an encoder, which the axes could follow; "
+        "nothing runs this line");
   CHECK(exit_status(one.diagnostics[0]) == 0);
-  CHECK(one.diagnostics[0].source_line == "G38.2 Z-5");
+  CHECK(one.diagnostics[0].source_line == "G33 Z-5");
 }
 
 TEST_CASE("what depends on how a subprogram is called is not reported", "[ipr][unreachable]") {

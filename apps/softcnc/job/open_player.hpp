@@ -12,10 +12,9 @@
 
 namespace softcnc::app {
 
-/// Opens the parallel port of the machine and a player on it, a little ahead of which a thread has to
-/// be. A signal that ends softcnc puts the
-/// port at rest first, and missing real-time rights are shown. Errors: those of hal::Ppdev::open()
-/// and of RealtimePlayer::open().
+/// Opens the parallel port of the machine and a player on it, a little ahead of which a thread has
+/// to be. A signal that ends softcnc puts the port at rest first, and missing real-time rights are
+/// shown. Errors: those of hal::Ppdev::open() and of RealtimePlayer::open().
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine);
 
 /// The same on registers that are open already, `ahead` s ahead of the port.

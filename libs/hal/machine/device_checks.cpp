@@ -31,6 +31,7 @@ class Checks {
     check_numbers(machine_.outputs, "output");
     check_numbers(machine_.inputs, "input");
     for (const auto& [name, port] : machine_.inputs) check(name, port);
+    for (const auto& [name, body] : machine_.contacts) check(name, body);
     return std::move(clashes_);
   }
 
@@ -97,6 +98,13 @@ class Checks {
     if (port.kind == SignalKind::analog) return;
     check_digital(table + ".value", port.value, "input", name);
     for (const double value : port.values) check_digital(table + ".values", value, "input", name);
+  }
+
+  void check(const std::string& name, const ContactBody& body) {
+    const std::string table = "contact." + name;
+    if ((body.max - body.min).minCoeff() > 0) return;
+    add(Code::SC7027, {table + ".max_mm", table + ".min_mm", table},
+        table + ".max_mm must lie above " + table + ".min_mm on every axis");
   }
 
   const Machine& machine_;

@@ -14,8 +14,9 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kLongestTime = 1e9;  // s, as of G04
-constexpr double kLargest = 1e9;      // values of outputs and inputs
+constexpr double kLongestTime = 1e9;      // s, as of G04
+constexpr double kLargest = 1e9;          // values of outputs and inputs
+constexpr double kFarthestContact = 1e5;  // mm, as axes
 
 MachineCode& m_code(Machine& machine, const std::string& of) {
   return machine.m_codes[std::stoi(of)];
@@ -30,6 +31,11 @@ const OutputPort& output(const Machine& machine, const std::string& of) {
 InputPort& input(Machine& machine, const std::string& of) { return machine.inputs[of]; }
 const InputPort& input(const Machine& machine, const std::string& of) {
   return machine.inputs.find(of)->second;
+}
+
+ContactBody& contact(Machine& machine, const std::string& of) { return machine.contacts[of]; }
+const ContactBody& contact(const Machine& machine, const std::string& of) {
+  return machine.contacts.find(of)->second;
 }
 
 using Of = const std::string&;
@@ -84,10 +90,17 @@ constexpr DeviceKey kDeviceKeys[] = {
     {"input", "after_s", "an array of as many numbers, at least 0, or of none", "how long after the M66 begins the value comes; []: at once", "s",
      [](Machine& m, Of of, GivenKey v) { return take_numbers(input(m, of).after, v, 0, kLongestTime); },
      [](const Machine& m, Of of) { return numbers_text(input(m, of).after); }},
+
+    {"contact", "min_mm", "[X, Y, Z], at least -1e+05 and at most 1e+05", "corner with the smallest coordinates of a body that a probe touches in simulation, in machine coordinates", "mm",
+     [](Machine& m, Of of, GivenKey v) { return take_point(contact(m, of).min, v, kFarthestContact); },
+     [](const Machine& m, Of of) { return point_text(contact(m, of).min); }},
+    {"contact", "max_mm", "[X, Y, Z], at least -1e+05 and at most 1e+05", "the opposite corner", "mm",
+     [](Machine& m, Of of, GivenKey v) { return take_point(contact(m, of).max, v, kFarthestContact); },
+     [](const Machine& m, Of of) { return point_text(contact(m, of).max); }},
 };
 // clang-format on
 
-constexpr std::array<std::string_view, 3> kDeviceTables{"mcode", "output", "input"};
+constexpr std::array<std::string_view, 4> kDeviceTables{"mcode", "output", "input", "contact"};
 
 bool is_m_number(std::string_view text) {
   int number = 0;
@@ -163,6 +176,8 @@ Status make_device(const DevicePath& path, Machine& machine) {
     machine.outputs.try_emplace(path.of);
   } else if (path.table == "input") {
     machine.inputs.try_emplace(path.of);
+  } else if (path.table == "contact") {
+    machine.contacts.try_emplace(path.of);
   } else {
     const int number = std::stoi(path.of);
     if (is_own_m_code(number))
@@ -197,6 +212,7 @@ std::vector<DeviceValue> device_values(const Machine& machine) {
       if (key.table == "mcode" && matters(key, code)) add(key, std::to_string(number));
   for (const auto& [name, port] : machine.outputs) add_all("output", name);
   for (const auto& [name, port] : machine.inputs) add_all("input", name);
+  for (const auto& [name, body] : machine.contacts) add_all("contact", name);
   return values;
 }
 
@@ -205,9 +221,10 @@ std::string device_key_table() {
   machine.m_codes[31];
   machine.outputs["o"];
   machine.inputs["i"];
+  machine.contacts["c"];
   std::string text = "| key | default | takes | meaning |\n|---|---|---|---|\n";
   for (const DeviceKey& key : kDeviceKeys) {
-    const std::string of = key.table == "mcode" ? "31" : key.table == "output" ? "o" : "i";
+    const std::string of = key.table == "mcode" ? "31" : std::string(key.table.substr(0, 1));
     text += "| `" + std::string(key.table) + ".*." + std::string(key.name) + "` | `" +
             key.spell(machine, of) + "` | " + std::string(key.takes) + " | " +
             std::string(key.meaning) + " |\n";

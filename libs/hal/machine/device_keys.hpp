@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of a machine's M codes, outputs and inputs: [mcode.N], [output.NAME], [input.NAME].
+// The keys of a machine's M codes, outputs, inputs and contacts: [mcode.N], [output.NAME],
+// [input.NAME], [contact.NAME].
 #pragma once
 
 #include <functional>
@@ -16,9 +17,9 @@
 
 namespace softcnc::hal {
 
-/// A row of the table. `of` is the number of an M code, or the name of an output or input.
+/// A row of the table. `of` is the number of an M code, or the name of an output, input or contact.
 struct DeviceKey {
-  std::string_view table;  // "mcode", "output", "input"
+  std::string_view table;  // "mcode", "output", "input", "contact"
   std::string_view name;   // "do"
   std::string_view takes;
   std::string_view meaning;
@@ -41,8 +42,8 @@ std::optional<DevicePath> device_path(std::string_view path);
 /// Returns the key of the table that reads most like `path`; empty if none does.
 std::string nearest_device_key(std::string_view path);
 
-/// Makes the M code, output or input, with its defaults, unless it is there. Error: SC7023, an M
-/// code that softcnc itself defines.
+/// Makes the M code, output, input or contact, with its defaults, unless it is there. Error:
+/// SC7023, an M code that softcnc itself defines.
 Status make_device(const DevicePath& path, Machine& machine);
 /// Stores a value under a known key of a device that has been made. Errors: SC7004, SC7005, SC7006,
 /// SC7027; their place is left to the caller.

@@ -92,6 +92,14 @@ Status take_numbers(std::vector<double>& place, const FileValue& value, double l
   return {};
 }
 
+Status take_point(AxisVector& place, const FileValue& value, double farthest) {
+  std::vector<double> numbers;
+  if (auto taken = take_numbers(numbers, value, -farthest, farthest); !taken) return taken;
+  if (numbers.size() != kAxes) return value_failure(Code::SC7027, "takes three numbers: [X, Y, Z]");
+  place = {numbers[0], numbers[1], numbers[2]};
+  return {};
+}
+
 Status take_lines(std::vector<double>& place, const FileValue& value) {
   constexpr double kLastLine = 1e9;
   std::vector<double> lines;
@@ -115,6 +123,10 @@ std::string quoted_text(std::string_view text) {
       out.append("\\u00").append(1, kDigits[byte >> 4U]).append(1, kDigits[byte & 15U]);
   }
   return out + '"';
+}
+
+std::string point_text(const AxisVector& point) {
+  return numbers_text({point[0], point[1], point[2]});
 }
 
 std::string numbers_text(const std::vector<double>& numbers) {

@@ -27,6 +27,8 @@ Status take_output_name(std::string& place, const FileValue& value);
 Status take_letters(std::string& place, const FileValue& value);
 /// Takes an array of numbers from `low` to `high`, of 10000 entries at most.
 Status take_numbers(std::vector<double>& place, const FileValue& value, double low, double high);
+/// X, Y and Z, mm.
+Status take_point(AxisVector& place, const FileValue& value, double farthest);
 /// Takes an array of numbers of lines, likewise.
 Status take_lines(std::vector<double>& place, const FileValue& value);
 /// Takes one of `words`; returns its index. An empty one cannot be given.
@@ -44,6 +46,7 @@ Status take_word(Choice& place, const FileValue& value, std::span<const std::str
 std::string quoted_text(std::string_view text);
 /// Returns a TOML array.
 std::string numbers_text(const std::vector<double>& numbers);
+std::string point_text(const AxisVector& point);
 template <typename Choice>
 std::string word_text(Choice choice, std::span<const std::string_view> words) {
   return quoted_text(words[static_cast<std::size_t>(choice)]);

@@ -275,6 +275,10 @@ const MachineKey kMachineKeys[] = {
     {"program.path", "", "folders of subprograms, looked through in this order after the folder of the program and those of --subprograms; relative ones count from the folder of the machine file",
      ListKey{subprogram_folders}},
 
+    {"probe.radius_mm", "mm", "radius of the ball of a probe, where no [tool.*] is in the spindle",
+     NumberKey{in_part<&Machine::probe, &Probe::radius>, unconverted, unconverted, length_or_0(1e3)}},
+    {"tool.*.length_mm", "mm", "how far the tool reaches below the control point, for simulated contacts",
+     NumberKey{in_tool<&Tool::length>, unconverted, unconverted, length_or_0(1e4)}},
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      NumberKey{in_tool<&Tool::radius>, unconverted, unconverted, length_or_0(1e4)}},
     {"tool.*.teeth", "", "number of teeth",

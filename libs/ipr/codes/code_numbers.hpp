@@ -9,7 +9,7 @@ inline constexpr int kCodesPerNumber = 10;  // GCode::number counts tenths
 // Motion, and the curves of several lines.
 inline constexpr int kG00 = 0, kG01 = 10, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG052 = 52,
                      kG053 = 53, kG061 = 61, kG062 = 62, kG12 = 120, kG13 = 130, kG31 = 310,
-                     kG382 = 382, kG385 = 385;
+                     kG382 = 382, kG384 = 384, kG385 = 385;
 
 // Tables, planes and places.
 inline constexpr int kG10 = 100, kG16 = 160, kG17 = 170, kG18 = 180, kG19 = 190, kG28 = 280,

@@ -29,6 +29,11 @@ constexpr bool is_touch(int number) noexcept {
   return number >= kProbedVariables && number < kProbedVariablesEnd;
 }
 
+/// Of the fanuc and haas dialects: of X, Y and Z.
+constexpr bool is_probed(int number) noexcept {
+  return number >= kProbedVariables && number < kProbedVariables + 3;
+}
+
 constexpr bool is_fanuc_ordinary(int number) noexcept {
   return (number >= 1 && number <= kFanucLocals) ||
          (number >= kFanucFirstCommon && number < kFanucEndVolatile) ||
@@ -86,10 +91,17 @@ void Parameters::store(int number, double value) {
   numbered_[index] = value;
 }
 
+/// Before the first contact, where the machine stands is no contact: vacant.
+double Parameters::probed_value(int number) const noexcept {
+  if (!probed_point_) return kVacant;
+  return (*probed_point_)[static_cast<std::size_t>(number - kProbedVariables)];
+}
+
 std::optional<double> Parameters::read(int number) const {
   number = shortest(number, dialect_);
   if (number == 0 && is_fanuc_like(dialect_)) return kVacant;
   if (probed_point_lost_ && is_touch(number)) return kUnknown;
+  if (is_fanuc_like(dialect_) && is_probed(number)) return probed_value(number);
   if (!refused_.empty() && refused_.contains(number)) return kUnknown;
   if (is_lost(number)) return kUnknown;
   if (is_system(number) && system_ != nullptr) {
@@ -257,6 +269,18 @@ void Parameters::lose_probed_point() {
   else
     for (int number = kProbedVariables; number < kProbedVariablesEnd; ++number)
       store(number, kUnknown);
+}
+
+void Parameters::keep_probed_point(const std::array<double, 3>& place, bool contact) {
+  probed_point_lost_ = false;
+  if (is_fanuc_like(dialect_)) {
+    probed_point_ = place;
+    return;
+  }
+  for (int number = kProbedVariables; number < kProbedVariablesEnd; ++number) store(number, 0);
+  for (std::size_t i = 0; i < place.size(); ++i)
+    store(kProbedVariables + static_cast<int>(i), place[i]);
+  store(kProbedVariablesEnd - 1, contact ? 1 : 0);
 }
 
 void Parameters::push(std::span<const double> arguments) {

@@ -120,9 +120,12 @@ class Parameters {
   /// Makes unknown whatever a subprogram might have assigned; with `locals`, the local variables of
   /// its caller too.
   void lose_all(bool locals);
-  /// Records that a probing move has been refused: #5061 to #5070, where it would have ended, are
+  /// Records that a probing move has an error: #5061 to #5070, where it would have ended, are
   /// unknown.
   void lose_probed_point();
+  /// Sets #5061 to #5063 to where a probing move has ended, and in dialects like that of LinuxCNC
+  /// #5070 to whether it came to a contact.
+  void keep_probed_point(const std::array<double, 3>& place, bool contact);
 
   /// Begins a level of calls with local variables of its own; the arguments are its #1 and up.
   void push(std::span<const double> arguments);
@@ -153,6 +156,7 @@ class Parameters {
   bool is_ordinary(int number) const noexcept;
   bool is_kept(int number) const noexcept { return is_system(number) && is_ordinary(number); }
   bool is_lost(int number) const;
+  double probed_value(int number) const noexcept;
   double stored(int number) const noexcept;
   void store(int number, double value);
   void write_ordinary(int number, double value);
@@ -170,6 +174,7 @@ class Parameters {
   Names global_;
   std::optional<double> given_back_;
   int line_ = 0;
+  std::optional<std::array<double, 3>> probed_point_;  // of fanuc and haas: #5061 to #5063
   bool lost_ = false, probed_point_lost_ = false, watching_ = false, kept_lost_ = false;
   mutable bool may_differ_ = false;  // reading a variable of the system sets it too
   mutable int assumed_ = 0;

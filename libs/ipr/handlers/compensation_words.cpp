@@ -104,9 +104,10 @@ bool may_start(Task& task) {
 }
 
 /// Codes that would move the contour or the tool under it.
-constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  120, 130, 280, 281, 300, 301,
-                            430, 431, 432, 490, 520, 530, 700, 710, 720, 730, 740, 760, 810,
-                            820, 830, 840, 850, 860, 870, 880, 890, 920, 921, 922, 923};
+constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  120, 130, 280, 281,
+                            300, 301, 310, 382, 383, 384, 385, 430, 431, 432, 490,
+                            520, 530, 700, 710, 720, 730, 740, 760, 810, 820, 830,
+                            840, 850, 860, 870, 880, 890, 920, 921, 922, 923};
 /// LinuxCNC refuses these too, though the contour stays what it is.
 constexpr std::array kNotInLinuxcnc{610, 611, 640, 980, 990};
 

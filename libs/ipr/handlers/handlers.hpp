@@ -113,9 +113,11 @@ void save_modes(Task& task);
 void forget_modes(Task& task);
 void restore_modes(Task& task);
 
-// refused.cpp
+// probing.cpp
+void probe(Task& task);
+
+// machine_codes.cpp: what is refused
 void refuse_thread(Task& task);
-void refuse_probing(Task& task);
 /// Notes that the code has no effect.
 void pass_over(Task& task);
 void refuse_rigid_tapping(Task& task);

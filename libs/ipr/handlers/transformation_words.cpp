@@ -142,7 +142,9 @@ bool is_refused_while_transformed(const Task& task) {
   if (task.code.group == Group::work_offset) return selects_other_system(task);
   if (number == kG10) return moves_coordinates(task);
   if (number == kG53) return !is_haas(task);
-  return number == kG28 || number == kG30 || number == kG52 || (number >= kG92 && number <= kG923);
+  const bool probes = number == kG31 || (number >= kG382 && number <= kG385);
+  return probes || number == kG28 || number == kG30 || number == kG52 ||
+         (number >= kG92 && number <= kG923);
 }
 
 /// Reports why a path cannot be followed where it lies.

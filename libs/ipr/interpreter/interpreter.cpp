@@ -403,6 +403,14 @@ void Interpreter::execute() {
   }
   modal_.machine_coordinates = modal_.stops_once = false;
   if (modal_.input_value) keep_input();
+  if (modal_.probed) keep_probed_point();
+}
+
+/// In the work system in force, in units of the program.
+void Interpreter::keep_probed_point() {
+  const ProbedPoint probed = *std::exchange(modal_.probed, std::nullopt);
+  const AxisVector place = modal_.coordinates.to_program(probed.place) / modal_.mm_per_unit;
+  parser_.parameters().keep_probed_point({place[0], place[1], place[2]}, probed.contact);
 }
 
 /// What M66 has read is in #5399 of the linuxcnc dialect; fanuc has no such variable.

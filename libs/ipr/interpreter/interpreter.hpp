@@ -91,6 +91,7 @@ class Interpreter {
   void act(Task& task);
   void skip(Task& task);
   void keep_input();
+  void keep_probed_point();
   void state_stock(const ProgramLine& line);
   void leave_curve();
   void lose_motion() noexcept;

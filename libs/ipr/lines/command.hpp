@@ -80,7 +80,7 @@ class Command {
   LetterSet unread() const noexcept { return unread_; }
   /// Returns the parts of the state that the errors of the line's words have left open.
   Unknown unknown() const noexcept { return unknown_; }
-  /// Returns whether one of the codes was a probing move, which is not supported.
+  /// Returns whether one of the codes was a probing move.
   bool probes() const noexcept { return probes_; }
 
   /// Returns whether the line has @ or ^, and the word; nullptr if it has only the other.

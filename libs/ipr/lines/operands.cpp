@@ -85,6 +85,8 @@ Unknown operands_of_offset(const GCode& code, const Command& command, const Moda
     case kG28:
     case kG30:
       return kPosition | kCoordinates;
+    case kG31:
+      return kPosition | kCoordinates | of_feed(modal);
     case kG52:
       return {Part::units, Part::shift};
     case kG53:

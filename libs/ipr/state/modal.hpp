@@ -98,6 +98,13 @@ struct CycleWords {
   bool retract_from_start = false, bottom_from_retract = false;
 };
 
+/// Where the control point was at the contact of a probe, or at the end of its move without one;
+/// mm, as Modal::position.
+struct ProbedPoint {
+  AxisVector place;
+  bool contact;
+};
+
 /// The modes that M70 or M73 has saved.
 struct SavedModes {
   Modes modes;
@@ -141,6 +148,7 @@ struct Modal : Modes {
   std::optional<Restored> restored;
 
   SimulatedInputs inputs;
+  std::optional<ProbedPoint> probed;  // by this line, for #5061 to #5070
   std::optional<double> input_value;  // that M66 of this line has read, for #5399
 
   Unknown unknown;  // what errors have left open

@@ -19,6 +19,7 @@
 
 #include "motion/core/axes.hpp"
 #include "motion/geometry/spline.hpp"
+#include "motion/model/contact.hpp"
 #include "motion/model/machine_code.hpp"  // IWYU pragma: export
 #include "motion/model/method.hpp"        // IWYU pragma: export
 #include "motion/roughness/roughness_request.hpp"
@@ -225,6 +226,7 @@ struct ProgramReading {
 struct Tool {
   double radius = 0;  // mm
   int teeth = 0;
+  double length = 0;  // mm: how far it reaches below the control point, for simulated contacts
 };
 
 /// The material that the simulated surface is cut from, as a grid seen from above.
@@ -243,6 +245,11 @@ struct Plant {
   std::array<Screw, kAxes> screws{};
 };
 
+/// A touch probe, while no tool of the machine is in the spindle.
+struct Probe {
+  double radius = 0;  // mm: of its ball
+};
+
 struct Machine {
   std::string name = "retrofitted mill (built-in)";
   Control control;
@@ -256,7 +263,9 @@ struct Machine {
   Surfacing surfacing;
   Stock stock;
   std::map<int, Tool> tools;
-  std::map<int, MachineCode> m_codes;  // by number: those of its builder or user
+  Probe probe;
+  std::map<std::string, ContactBody> contacts;  // by name: what a probe touches in simulation
+  std::map<int, MachineCode> m_codes;           // by number: those of its builder or user
   OutputPorts outputs;
   InputPorts inputs;
   std::array<Screw, kAxes> screws;  // of the axes

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Moves up to the contact of a probe: G38.2 to G38.5, as LinuxCNC's manual has them (G code
+// reference, section G38.n), and G31 of FANUC's and Haas' controls.
+#include <string>
+
+#include "ipr/handlers/handlers.hpp"
+#include "ipr/state/nearness.hpp"
+#include "motion/model/contact.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+/// What a code does: G38.2 and G38.4 must come to a contact or a release.
+struct Probing {
+  ProbeAim aim;
+  bool must;
+};
+
+Probing probing_of(const GCode& code) noexcept {
+  const bool releases = code.number == kG384 || code.number == kG385;
+  return {releases ? ProbeAim::release : ProbeAim::contact,
+          code.number == kG382 || code.number == kG384};
+}
+
+bool has_probe(const Task& task) noexcept {
+  const BackendKind backend = task.machine.control.backend;
+  return backend != BackendKind::parport && backend != BackendKind::hal_stream;
+}
+
+/// The tool in the spindle, or a probe in its place.
+ProbeTip tip_of(const Task& task) {
+  const auto loaded = task.modal.state.loaded_tool;
+  const auto found = task.machine.tools.find(loaded.value_or(0));
+  if (found == task.machine.tools.end()) return {task.machine.probe.radius, 0};
+  return {found->second.radius, found->second.length};
+}
+
+std::vector<ContactBody> bodies_of(const Machine& machine) {
+  std::vector<ContactBody> bodies;
+  for (const auto& [name, body] : machine.contacts) bodies.push_back(body);
+  return bodies;
+}
+
+/// A move of the plan as it is programmed: it rests at both ends, and no corner of it is rounded.
+Move probing_move(const Task& task, const softcnc::Line& line) {
+  Move move = cutting_move(task.modal, line, task.modal.feed);
+  move.path_mode = PathMode::stop;
+  move.corner_tolerance = move.chord_tolerance = 0;
+  move.exact = true;
+  move.surface.reset();
+  return move;
+}
+
+/// Ends the move at `end`, and keeps where the contact was.
+void end_probing(Task& task, const AxisVector& end, bool contact) {
+  const softcnc::Line line(task.modal.position, end);
+  if (line.length() >= kShortestMove) {
+    task.out.emit(Dwell{0});
+    task.out.emit(probing_move(task, line));
+  }
+  task.modal.position = end;
+  task.modal.probed = ProbedPoint{end, contact};
+}
+
+void report_missed(Task& task, const Probing& probing) {
+  const bool releases = probing.aim == ProbeAim::release;
+  task.out.report(Code::SC2394, task.word.pos,
+                  code_name(task.code) + (releases ? " comes to its end and still touches"
+                                                   : " comes to its end without a contact"));
+}
+
+void probe_to(Task& task, const AxisVector& to) {
+  const Probing probing = probing_of(task.code);
+  if (task.machine.contacts.empty()) {
+    task.out.report_once(Code::SC2392, task.word.pos, "probe",
+                         code_name(task.code) +
+                             " is taken to end where it is programmed to: no [contact] of the "
+                             "machine file says what it touches");
+    return end_probing(task, to, true);
+  }
+  const auto bodies = bodies_of(task.machine);
+  const ProbeTip tip = tip_of(task);
+  const AxisVector& from = task.modal.position;
+  const bool touches_now = touches(bodies, tip, from);
+  if (touches_now == (probing.aim == ProbeAim::contact)) {
+    return task.out.report(
+        Code::SC2393, task.word.pos,
+        code_name(task.code) +
+            (touches_now ? " begins where the tool touches" : " begins without a contact") +
+            " already");
+  }
+  const softcnc::Line line(from, to);
+  if (const auto s = contact_along(line, bodies, tip, probing.aim))
+    return end_probing(task, line.position(*s), true);
+  if (probing.must) return report_missed(task, probing);
+  end_probing(task, to, false);
+}
+
+}  // namespace
+
+void probe(Task& task) {
+  const bool is_modal = task.code.group == Group::motion;
+  if (is_modal) begin_motion(task);
+  if (!has_probe(task)) {
+    return task.out.report(Code::SC2114, task.word.pos,
+                           code_name(task.code) + " is refused: the backend " +
+                               std::string(name(task.machine.control.backend)) +
+                               " has no input for a probe");
+  }
+  if (!task.values.letters().has_any(kAxisWords)) {
+    if (is_modal && !task.command.has(Group::motion)) return;
+    return task.out.report(Code::SC2005, task.word.pos,
+                           code_name(task.code) + " needs X, Y or Z, where it leads at most");
+  }
+  if (!has_feed(task)) return;
+  const AxisVector to = end_point(task);
+  if ((to - task.modal.position).lpNorm<Eigen::Infinity>() < kShortestMove) {
+    return task.out.report(Code::SC2391, task.word.pos,
+                           code_name(task.code) + " ends where it begins: it can find no contact");
+  }
+  probe_to(task, to);
+}
+
+}  // namespace softcnc::ipr
