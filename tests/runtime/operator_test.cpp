@@ -259,6 +259,9 @@ TEST_CASE("the override of the spindle counts at once, except where a program fo
   REQUIRE(desk.operated.line("M48 X100\n"));
   desk.settle();
   CHECK(rpm() == -2000);
+  REQUIRE(desk.operated.start("G01 X5 F3000\n"));  // the override does not count twice
+  desk.run(50);
+  CHECK(rpm() == -2000);
 }
 
 TEST_CASE("switches of the operator count for the lines that have not been read",

@@ -21,7 +21,8 @@ Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::B
       sink_(sink),
       report_(std::move(report)),
       known_(position_status(options.state, BackendKind::none) == PositionStatus::known),
-      outputs_(options.outputs) {
+      outputs_(options.outputs),
+      programmed_(options.outputs) {
   last_.position = options.state.place();
   begin_session(options.state);
 }
@@ -29,7 +30,7 @@ Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::B
 void Operator::begin_session(const MachineState& state) {
   options_.state = state;
   options_.state.position = KeptPosition{last_.position};
-  options_.outputs = outputs_;
+  options_.outputs = programmed_;
   session_.emplace(machine_, options_, backend_, sink_, report_);
   session_->set_feed_override(feed_override_);
   session_->set_rapid_override(rapid_override_);
@@ -130,12 +131,17 @@ std::optional<Row> Operator::step_of(Session& session) {
   last_.pulses = {};
   last_.fine = {};
   begun_ = true;
-  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) outputs_ = session_->outputs();
+  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) follow_outputs();
   if (row->feedback.alarm == Alarm::none) return row;
   values_.assign(row->values.begin(), row->values.end());
   const Row last{last_, row->feedback, values_};
   estop();
   return last;
+}
+
+void Operator::follow_outputs() noexcept {
+  outputs_ = session_->outputs();
+  programmed_ = session_->programmed_outputs();
 }
 
 void Operator::settle_jog() {

@@ -138,6 +138,7 @@ class Operator {
   void end_in(MachineMode mode);
   void ended();
   std::optional<Row> step_of(Session& session);
+  void follow_outputs() noexcept;
   void settle_jog();
   void settle_program();
   void set_switches() noexcept;
@@ -156,9 +157,10 @@ class Operator {
   AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
   OpenText open_;
   Setpoint last_;
-  bool begun_ = false;  // there is a last row
-  bool known_;          // the position
-  Outputs outputs_, before_door_;
+  bool begun_ = false;            // there is a last row
+  bool known_;                    // the position
+  Outputs outputs_, programmed_;  // with the override of the spindle, and without
+  Outputs before_door_;
   bool running_ = false, is_program_ = false;
   std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
   bool returning_ = false;               // to that place

@@ -144,7 +144,8 @@ void Operator::end_in(MachineMode mode) {
 }
 
 void Operator::ended() {
-  if (std::exchange(resets_, false)) outputs_ = {};
+  if (std::exchange(resets_, false)) outputs_ = programmed_ = {};
+  if (mode_ == MachineMode::door) programmed_ = {};  // off they stay
   open_.forget();
   waits_ = 0;
   begin_session(state());
@@ -201,7 +202,7 @@ Status Operator::check() {
 Status Operator::sleep() {
   if (const auto answer = answered(Request::sleep)) return *answer;
   if (jog_) return refusal("sleep: a jog has not ended yet");
-  outputs_ = {};
+  outputs_ = programmed_ = {};
   begin_session(state());
   mode_ = MachineMode::sleep;
   return {};
@@ -216,7 +217,7 @@ void Operator::estop() {
   last_.v = last_.a = 0;
   backend_.begin_again();
   known_ = known_ && is_measured;
-  outputs_ = {};
+  outputs_ = programmed_ = {};
   jog_.reset();
   judged_.reset();
   rests_in_.reset();
@@ -249,7 +250,7 @@ void Operator::set_rapid_override(double rapid_override) noexcept {
 void Operator::set_spindle_override(double spindle_override) noexcept {
   session_->set_spindle_override(spindle_override);
   if (!std::isnan(spindle_override)) spindle_override_ = spindle_override;
-  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) outputs_ = session_->outputs();
+  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) follow_outputs();
 }
 
 void Operator::set_block_skip(bool on) noexcept {

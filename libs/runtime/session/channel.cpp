@@ -127,6 +127,7 @@ void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
     const double now = interpolator_.state_time();
+    queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });
     add_present();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
     interpolator_.set_feed_override(control_.feed_override);
@@ -141,7 +142,7 @@ bool Channel::stop_after(const Setpoint& last, const std::function<bool()>& in_t
   if (broken_ || stopping_) return true;
   try {
     interpolator_.go_back_to(last);
-    if (queue_.empty()) return true;
+    if (queue_.empty()) return stopping_ = interpolator_.end();
     const RunTimes times = times_;
     const Outputs outputs = outputs_;
     queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });

@@ -118,6 +118,8 @@ class Session {
   /// Returns what is switched on at the place of the last row, at the speed that the override of
   /// the spindle leaves.
   Outputs outputs() const noexcept;
+  /// Returns the same at the speed that is programmed.
+  const Outputs& programmed_outputs() const noexcept { return channel_->outputs(); }
   /// Returns where the last row was, mm; before the first one, where the session begins.
   const AxisVector& position() const noexcept { return last_.position; }
 

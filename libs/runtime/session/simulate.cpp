@@ -132,7 +132,8 @@ void Simulation::wait() {
   }
 }
 
-/// Lets all setpoints so far be played; false where a stop is requested before that.
+/// Lets all setpoints so far be played; false where a stop is requested before that, or an alarm
+/// has come.
 bool Simulation::play_all() {
   if (ahead_) ahead_->rest();
   close_batch();
@@ -142,7 +143,7 @@ bool Simulation::play_all() {
     if (look_for_stop()) return false;
   }
   if (ahead_) collect();
-  return true;
+  return outcome_.end != Outcome::End::alarm;
 }
 
 bool Simulation::look_for_stop() {
