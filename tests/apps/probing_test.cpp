@@ -15,8 +15,8 @@ using nlohmann::json;
 namespace {
 
 /// The end of the last move, as softcnc blocks writes it.
-std::vector<double> last_end(const std::string& program, const std::string& options = "") {
-  const Ended ended = call("blocks " SOFTCNC_SOURCE_DIR "/programs/" + program + ".nc " + options);
+std::vector<double> last_end(const std::string& program) {
+  const Ended ended = call("blocks " SOFTCNC_SOURCE_DIR "/programs/" + program + ".nc");
   CHECK(ended.status == 0);
   std::istringstream lines(ended.out);
   std::vector<double> end;
@@ -41,7 +41,7 @@ TEST_CASE("a probed corner becomes the origin", "[apps][probing]") {
 }
 
 TEST_CASE("the middle of a probed pocket is its centre", "[apps][probing]") {
-  check_near(last_end("29_probe_pocket", "--dialect fanuc"), 80.75, 43.5, 10);
+  check_near(last_end("29_probe_pocket"), 80.75, 43.5, 10);
 }
 
 TEST_CASE("tools that a setter has measured reach the height that is programmed",
