@@ -33,7 +33,8 @@ Machine on_port() {
   return machine;
 }
 
-constexpr double kAhead = 0.5;  // s: these threads are ordinary ones
+constexpr double kAhead = 0.5;          // s: these threads are ordinary ones
+constexpr double kBehindThread = 0.02;  // s: as a run has it
 
 std::unique_ptr<runtime::RealtimePlayer> open(const Machine& machine, PortRecord& record) {
   auto player = open_player(machine, std::make_unique<RecordedPort>(record), kAhead);
@@ -154,12 +155,13 @@ TEST_CASE("a player that goes away leaves the port at rest", "[apps][parport]") 
 
 namespace {
 
-/// A port whose writes take as long as a hundred base periods, except that of the rest.
-class SlowPort final : public hal::PortRegisters {
+/// A port that counts its writes; each takes so long, ns, except that of the rest.
+class CountingPort final : public hal::PortRegisters {
  public:
-  explicit SlowPort(std::atomic<int>& written) : written_(written) {}
+  explicit CountingPort(std::atomic<int>& written, std::int64_t slow = 0)
+      : written_(written), slow_(slow) {}
   bool write_data(std::uint8_t bits) noexcept override {
-    if (bits != 0) runtime::sleep_until(runtime::now_ns() + 5'000'000);
+    if (bits != 0 && slow_ > 0) runtime::sleep_until(runtime::now_ns() + slow_);
     ++written_;
     return true;
   }
@@ -169,13 +171,17 @@ class SlowPort final : public hal::PortRegisters {
 
  private:
   std::atomic<int>& written_;
+  std::int64_t slow_;
 };
+
+constexpr std::int64_t kHundredPeriods = 5'000'000;  // ns
 
 }  // namespace
 
 TEST_CASE("after an abandoned player nothing is written any more", "[apps][parport]") {
   std::atomic<int> written{0};
-  auto player = open_player(on_port(), std::make_unique<SlowPort>(written), kAhead);
+  auto player =
+      open_player(on_port(), std::make_unique<CountingPort>(written, kHundredPeriods), kAhead);
   REQUIRE(player);
   (*player)->play(words(6'000));
   for (int i = 0; i < 1000 && written < 5; ++i) runtime::sleep_until(runtime::now_ns() + 1'000'000);
@@ -236,15 +242,14 @@ PortRecord* played = nullptr;  // OpenPlayer takes no more than a machine
 double played_ahead = 0;
 
 Result<std::unique_ptr<hal::PortPlayer>> open_recorded(const Machine& machine) {
-  return open_player(machine, std::make_unique<RecordedPort>(*played), played_ahead)
-      .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
+  return open_player(machine, std::make_unique<RecordedPort>(*played), played_ahead);
 }
 
 /// What a run of 1.6 s writes; with `by_cycle` setpoints wait before their words are made.
 std::vector<std::uint8_t> written_in_a_run(bool by_cycle) {
   PortRecord record;
   played = &record;
-  played_ahead = by_cycle ? 0.02 : kAhead;
+  played_ahead = by_cycle ? kBehindThread : kAhead;
   Machine machine = on_port();
   machine.control.period = 0.1;
   machine.parallel_port.device = "recorded";
@@ -276,24 +281,6 @@ TEST_CASE("a thread before the port adds and leaves out no word", "[apps][parpor
 
 namespace {
 
-/// A port that counts its writes.
-class CountingPort final : public hal::PortRegisters {
- public:
-  explicit CountingPort(std::atomic<int>& written) : written_(written) {}
-  bool write_data(std::uint8_t bits) noexcept override {
-    last_ = bits;
-    ++written_;
-    return true;
-  }
-  bool write_control(std::uint8_t) noexcept override { return true; }
-  std::optional<std::uint8_t> read_status() noexcept override { return 0; }
-  Diagnostic failure() const override { return {Code::SC6074, {}, "", "", {}}; }
-
- private:
-  std::atomic<int>& written_;
-  std::uint8_t last_ = 0;
-};
-
 std::atomic<int> writes_counted{0};
 
 class StopAfterWrites final : public runtime::Watcher {
@@ -313,10 +300,10 @@ TEST_CASE("a stop takes back what waits for the port, and it rests", "[apps][par
   machine.parallel_port.device = "counted";
   Diagnostics diagnostics;
   ipr::Reader reader = ipr::Reader::from_text("G01 X500 F600\nM30\n");
-  auto backend = hal::open_backend(machine, [](const Machine& on) {
-    return open_player(on, std::make_unique<CountingPort>(writes_counted), 0.02)
-        .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
-  });
+  auto backend =
+      hal::open_backend(machine, [](const Machine& on) -> Result<std::unique_ptr<hal::PortPlayer>> {
+        return open_player(on, std::make_unique<CountingPort>(writes_counted), kBehindThread);
+      });
   REQUIRE(backend);
   runtime::RealtimeCycle cycle(**backend, machine.control.period,
                                runtime::RealtimeCycle::Pace::backend);

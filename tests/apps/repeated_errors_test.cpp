@@ -124,9 +124,10 @@ TEST_CASE("warnings of refused codes that nothing runs are counted as errors are
   for (int i = 0; i < 30; ++i) program += "G33 Z-" + std::to_string(i + 1) + " K1\n";
   const Ended ended = check_program(folder, program + "o<touch> endsub\nG0 X1\nM2\n");
   CHECK(ended.status == 0);
-  CHECK(shows(ended.out,
-              "p.nc:2:1: warning: G33 is refused: threads need a spindle with an encoder, which the "
-              "axes could follow; nothing runs this line [SC2114]\n"));
+  CHECK(
+      shows(ended.out,
+            "p.nc:2:1: warning: G33 is refused: threads need a spindle with an encoder, which the "
+            "axes could follow; nothing runs this line [SC2114]\n"));
   CHECK(shows(ended.out, "p.nc:11:1: warning: "));
   CHECK_FALSE(shows(ended.out, "p.nc:12:1: warning: "));
   CHECK(shows(ended.out, "runs this line, here and on 29 more lines (last: 31) [SC6005]"));

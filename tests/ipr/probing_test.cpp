@@ -49,7 +49,8 @@ TEST_CASE("a probing move ends at the contact, and the program knows where", "[i
   CHECK(is_near_to(ends.back(), {10 - kRadius, 30, -28}));
 }
 
-TEST_CASE("the contact is told in the work system and the units of the program", "[ipr][probing]") {
+TEST_CASE("the contact is reported in the work system and the units of the program",
+          "[ipr][probing]") {
   const Machine machine = machine_with_block();
   const auto fanuc = ends_of(
       "G10 L2 P1 X5. Y6. Z7.\nG0 X15. Y24.\nG31 Z-50. F100\nG53 G0 X#5061 "

@@ -18,8 +18,7 @@ constexpr double kWordsAhead = 0.02;
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine) {
   auto port = hal::Ppdev::open(machine.parallel_port.device);
   if (!port) return tl::make_unexpected(std::move(port.error()));
-  return open_player(machine, std::move(*port), kWordsAhead)
-      .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
+  return open_player(machine, std::move(*port), kWordsAhead);
 }
 
 Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(

@@ -108,9 +108,8 @@ JobResult JobRunner::move(const TraceTarget& trace, const runtime::Outcome& expe
                                                      **backend, options_.columns, patience());
   if (!rows) return refused(rows.error());
   if (const Status marked = mark_motion(expected); !marked) return refused(marked.error());
-  if (!options_.dry_run)
-    terminal_.begin_motion(runtime::moves_machine(job_.machine.control.backend));
-  if (in_real_time() || (!options_.dry_run && runtime::moves_machine(job_.machine.control.backend)))
+  if (!options_.dry_run) terminal_.begin_motion(moves_machine(job_.machine.control.backend));
+  if (in_real_time() || (!options_.dry_run && moves_machine(job_.machine.control.backend)))
     terminal_.keep_the_clock();
   terminal_.begin(options_.dry_run ? "planning" : "running", expected.time, job_.program.size());
   result_.moved = true;
@@ -169,7 +168,7 @@ bool JobRunner::in_real_time() const { return options_.realtime && !sends_to_por
 /// A machine that moves by the clock waits for nobody: half a second is planned ahead.
 hal::Patience JobRunner::patience() const {
   constexpr int kOfTheClock = 200;  // ms
-  const bool waits = !in_real_time() && !runtime::moves_machine(job_.machine.control.backend);
+  const bool waits = !in_real_time() && !moves_machine(job_.machine.control.backend);
   return {terminal_.stop(), waits ? -1 : kOfTheClock};
 }
 
@@ -249,8 +248,7 @@ JobResult run_job(Job& job, const Options& options, const TraceTarget& trace) {
   if (!options.dry_run) result = check_first(job, messages, terminal, expected);
   if (result.status == 0) {
     if (may_ask(options))
-      terminal.wait_at_stops(options.realtime ||
-                             runtime::moves_machine(job.machine.control.backend));
+      terminal.wait_at_stops(options.realtime || moves_machine(job.machine.control.backend));
     result = JobRunner(job, options, messages, terminal).move(trace, expected);
     if (!options.dry_run) result.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
     if (result.moved) explain("run", result.outcome);

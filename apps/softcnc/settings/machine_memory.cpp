@@ -84,8 +84,8 @@ Result<MachineState> open_state(const Options& options, Messages& messages) {
 
 bool keeps_state(const Options& options, const Machine& machine) {
   if (options.state.empty() || options.dry_run) return false;
-  return options.command == CommandName::run || (options.command == CommandName::record &&
-                                                 runtime::moves_machine(machine.control.backend));
+  return options.command == CommandName::run ||
+         (options.command == CommandName::record && moves_machine(machine.control.backend));
 }
 
 Result<MachineMemory> MachineMemory::open(const std::string& file) {

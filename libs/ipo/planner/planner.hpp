@@ -59,8 +59,8 @@ class Planner {
   std::deque<TimedBlock> replan(PartlyPassed rest, const State& state, double t,
                                 const FeedControl& asked);
   /// Lets the machine halt likewise, unless `in_time`, which is asked once the stop is found, says
-  /// that it comes too late: then nothing is changed, `rest` is as it was, and the result is false.
-  /// Otherwise `rest` keeps what has been passed.
+  /// that it comes too late: then nothing is halted, `rest` holds the same motion, and the result
+  /// is false. Otherwise `rest` keeps what has been passed. Not for methods that ignore the plan.
   bool halt_in_time(PartlyPassed& rest, const State& state, double t, const FeedControl& asked,
                     const std::function<bool()>& in_time);
 

@@ -72,11 +72,6 @@ std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, do
 
 bool Planner::halt_in_time(PartlyPassed& rest, const State& state, double t,
                            const FeedControl& asked, const std::function<bool()>& in_time) {
-  if (unplanned_) {
-    if (!in_time()) return false;
-    rest.blocks = unplanned_->replan(std::move(rest), state, t, asked);
-    return true;
-  }
   const State now = begin_replan(rest, state, t);
   constraints_.set_overrides(machine_, ceiling_);
   const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by(), StopWithin::queue);

@@ -51,8 +51,8 @@ class Interpolator {
   /// from there on. Only for methods that follow the plan to the instant. Planning side.
   void go_back_to(const Setpoint& setpoint) noexcept;
 
-  /// Makes no setpoint any more: the last one rests at the end of the queue. Returns true.
-  bool end() noexcept { return done_ = true; }
+  /// Makes no setpoint any more: the last one rests at the end of the queue.
+  void end() noexcept { done_ = true; }
 
   /// Continues where it is after the queue has been planned again from state(): the front block is
   /// the same one, and its profile starts there. Planning side.

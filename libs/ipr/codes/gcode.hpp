@@ -114,6 +114,11 @@ constexpr bool is_hole_pattern(const GCode& code) noexcept {
   return code.letter == 'G' && code.number >= 700 && code.number <= 720;
 }
 
+/// Returns whether the code is G31 or one of G38.2 to G38.5: a move up to the contact of a probe.
+constexpr bool is_probing_move(const GCode& code) noexcept {
+  return code.letter == 'G' && (code.number == 310 || (code.number >= 382 && code.number <= 385));
+}
+
 /// Returns whether the code is known but not supported. Its handler reports why.
 constexpr bool is_refused(const GCode& code) noexcept {
   return code.says.starts_with("Refused") || code.says.starts_with("haas: refused");

@@ -22,11 +22,6 @@ Probing probing_of(const GCode& code) noexcept {
           code.number == kG382 || code.number == kG384};
 }
 
-bool has_probe(const Task& task) noexcept {
-  const BackendKind backend = task.machine.control.backend;
-  return backend != BackendKind::parport && backend != BackendKind::hal_stream;
-}
-
 /// The tool in the spindle, or a probe in its place.
 ProbeTip tip_of(const Task& task) {
   const auto loaded = task.modal.state.loaded_tool;
@@ -99,16 +94,13 @@ void probe_to(Task& task, const AxisVector& to) {
 }  // namespace
 
 void probe(Task& task) {
-  const bool is_modal = task.code.group == Group::motion;
-  if (is_modal) begin_motion(task);
-  if (!has_probe(task)) {
+  if (task.code.group == Group::motion) begin_motion(task);
+  if (const BackendKind backend = task.machine.control.backend; moves_machine(backend)) {
     return task.out.report(Code::SC2114, task.word.pos,
                            code_name(task.code) + " is refused: the backend " +
-                               std::string(name(task.machine.control.backend)) +
-                               " has no input for a probe");
+                               std::string(name(backend)) + " has no input for a probe");
   }
   if (!task.values.letters().has_any(kAxisWords)) {
-    if (is_modal && !task.command.has(Group::motion)) return;
     return task.out.report(Code::SC2005, task.word.pos,
                            code_name(task.code) + " needs X, Y or Z, where it leads at most");
   }

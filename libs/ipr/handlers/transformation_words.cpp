@@ -142,8 +142,7 @@ bool is_refused_while_transformed(const Task& task) {
   if (task.code.group == Group::work_offset) return selects_other_system(task);
   if (number == kG10) return moves_coordinates(task);
   if (number == kG53) return !is_haas(task);
-  const bool probes = number == kG31 || (number >= kG382 && number <= kG385);
-  return probes || number == kG28 || number == kG30 || number == kG52 ||
+  return is_probing_move(task.code) || number == kG28 || number == kG30 || number == kG52 ||
          (number >= kG92 && number <= kG923);
 }
 

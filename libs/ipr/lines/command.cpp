@@ -48,11 +48,6 @@ std::string lines_of_machine(const Word& code, std::span<const Word> words) {
          number_text(code.value) + "] | do = \"ignore\" | words = \"" + letters + "\"";
 }
 
-bool is_probing(const GCode& code) noexcept {
-  return code.letter == 'G' &&
-         (code.number == kG31 || (code.number >= kG382 && code.number <= kG385));
-}
-
 /// The '#' of an assignment outside comments; column 0: there is none.
 SourcePos assignment_in(const ProgramLine& line) noexcept {
   bool comment = false;
@@ -130,7 +125,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   }
   const bool is_code = word.letter == 'G' || word.letter == 'M';
   if (is_code && word.value >= kTwoDigits) warn_of_blank(word, out);
-  if (is_probing(*code)) probes_ = probes_ || is_probing(word, dialect);
+  if (is_probing_move(*code)) probes_ = probes_ || is_probing(word, dialect);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (is_fanuc_like(dialect) && put_above(*code, word)) return;

@@ -47,6 +47,35 @@ double nearest_place(const Line& line, const ContactBody& body, const ProbeTip& 
   return 0.5 * (low + high);
 }
 
+/// Where the tip first touches a body.
+std::optional<double> first_contact(const Line& line, std::span<const ContactBody> bodies,
+                                    const ProbeTip& tip) noexcept {
+  std::optional<double> first;
+  for (const ContactBody& body : bodies) {
+    const auto touching = [&](double s) { return touches(body, tip, line.position(s), 0); };
+    const double nearest = nearest_place(line, body, tip);
+    if (!touching(nearest)) continue;
+    const double s = change_between(0, nearest, touching);
+    if (!first || s < *first) first = s;
+  }
+  return first;
+}
+
+/// Where the tip touches no body any more: each round leaves one at least, into free space or into
+/// the next one.
+std::optional<double> first_release(const Line& line, std::span<const ContactBody> bodies,
+                                    const ProbeTip& tip) noexcept {
+  double released = 0;
+  for (std::size_t round = 0; round < bodies.size(); ++round)
+    for (const ContactBody& body : bodies) {
+      const auto touching = [&](double s) { return touches(body, tip, line.position(s), 0); };
+      if (!touching(released)) continue;
+      if (touching(line.length())) return std::nullopt;
+      released = change_between(released, line.length(), touching) + kDigit;
+    }
+  return released;
+}
+
 }  // namespace
 
 bool touches(std::span<const ContactBody> bodies, const ProbeTip& tip,
@@ -59,27 +88,7 @@ std::optional<double> contact_along(const Line& line, std::span<const ContactBod
                                     const ProbeTip& tip, ProbeAim aim) noexcept {
   const bool begins_in_contact = touches(bodies, tip, line.position(0));
   if (begins_in_contact == (aim == ProbeAim::contact)) return std::nullopt;
-  if (aim == ProbeAim::release) {
-    double s = 0;  // each round leaves one body at least, into free space or into the next one
-    for (std::size_t round = 0; round < bodies.size(); ++round) {
-      for (const ContactBody& body : bodies) {
-        const auto touching = [&](double at) { return touches(body, tip, line.position(at), 0); };
-        if (!touching(s)) continue;
-        if (touching(line.length())) return std::nullopt;
-        s = change_between(s, line.length(), touching) + kDigit;
-      }
-    }
-    return s;
-  }
-  std::optional<double> first;
-  for (const ContactBody& body : bodies) {
-    const auto touching = [&](double at) { return touches(body, tip, line.position(at), 0); };
-    const double nearest = nearest_place(line, body, tip);
-    if (!touching(nearest)) continue;
-    const double s = change_between(0, nearest, touching);
-    if (!first || s < *first) first = s;
-  }
-  return first;
+  return begins_in_contact ? first_release(line, bodies, tip) : first_contact(line, bodies, tip);
 }
 
 }  // namespace softcnc

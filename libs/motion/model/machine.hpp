@@ -41,6 +41,10 @@ inline constexpr std::array<std::string_view, 5> kBackendNames{"none", "sim", "s
 constexpr std::string_view name(BackendKind backend) noexcept {
   return kBackendNames[static_cast<std::size_t>(backend)];
 }
+/// Returns whether the setpoints of this backend move a machine outside softcnc.
+constexpr bool moves_machine(BackendKind backend) noexcept {
+  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
+}
 
 /// What commands do about the lag of the drives: nothing, lead by one time an axis, or invert the
 /// model of the machine file.

@@ -131,7 +131,7 @@ std::optional<Row> Operator::step_of(Session& session) {
   last_.pulses = {};
   last_.fine = {};
   begun_ = true;
-  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) follow_outputs();
+  follow_outputs();
   if (row->feedback.alarm == Alarm::none) return row;
   values_.assign(row->values.begin(), row->values.end());
   const Row last{last_, row->feedback, values_};
@@ -139,7 +139,9 @@ std::optional<Row> Operator::step_of(Session& session) {
   return last;
 }
 
+/// Beside a program, behind an open door and while it waits for the spindle they stay.
 void Operator::follow_outputs() noexcept {
+  if (jog_ || mode_ == MachineMode::door || waits_ > 0) return;
   outputs_ = session_->outputs();
   programmed_ = session_->programmed_outputs();
 }

@@ -236,8 +236,7 @@ void Operator::limit_switch(int axis, int direction) {
 
 void Operator::set_feed_override(double feed_override) noexcept {
   if (std::isnan(feed_override)) return;
-  constexpr double kLeast = 0.1;
-  feed_override_ = std::clamp(feed_override, kLeast, kLargestOverride);
+  feed_override_ = std::clamp(feed_override, kLeastOfOperator, kLargestOverride);
   session_->set_feed_override(feed_override_);
 }
 
@@ -250,7 +249,7 @@ void Operator::set_rapid_override(double rapid_override) noexcept {
 void Operator::set_spindle_override(double spindle_override) noexcept {
   session_->set_spindle_override(spindle_override);
   if (!std::isnan(spindle_override)) spindle_override_ = spindle_override;
-  if (!jog_ && mode_ != MachineMode::door && waits_ == 0) follow_outputs();
+  follow_outputs();
 }
 
 void Operator::set_block_skip(bool on) noexcept {

@@ -17,10 +17,6 @@ std::string place_text(const AxisVector& place) {
 
 }  // namespace
 
-bool moves_machine(BackendKind backend) noexcept {
-  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
-}
-
 PositionStatus position_status(const MachineState& state, BackendKind backend) noexcept {
   if (state.position && state.position->in_motion) return PositionStatus::unknown;
   return moves_machine(backend) ? PositionStatus::assumed : PositionStatus::known;

@@ -18,9 +18,6 @@ enum class PositionStatus : std::uint8_t {
   unknown,  // it was last seen in motion, or stopped without a ramp
 };
 
-/// Returns whether the setpoints of this backend move a machine outside softcnc.
-bool moves_machine(BackendKind backend) noexcept;
-
 /// Returns what is known of the position in a state that another process has kept. A machine whose
 /// position was never kept stands at machine zero.
 PositionStatus position_status(const MachineState& state, BackendKind backend) noexcept;

@@ -127,8 +127,7 @@ void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
     const double now = interpolator_.state_time();
-    queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });
-    add_present();
+    add_passed();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
     interpolator_.set_feed_override(control_.feed_override);
     planned_from_ = interpolator_.periods();
@@ -142,11 +141,13 @@ bool Channel::stop_after(const Setpoint& last, const std::function<bool()>& in_t
   if (broken_ || stopping_) return true;
   try {
     interpolator_.go_back_to(last);
-    if (queue_.empty()) return stopping_ = interpolator_.end();
+    if (queue_.empty()) {
+      interpolator_.end();
+      return stopping_ = true;
+    }
     const RunTimes times = times_;
     const Outputs outputs = outputs_;
-    queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });
-    add_present();
+    add_passed();
     control_.stop = true;
     stopping_ = replanned_ = feeder_.stop_in_time(queue_, interpolator_.state(),
                                                   interpolator_.state_time(), control_, in_time);
@@ -175,6 +176,12 @@ void Channel::rethrow() const {
 
 double Channel::time() const noexcept {
   return queue_.empty() && follows_plan_ ? queue_.t_end() : interpolator_.time();
+}
+
+/// What has passed since the last forget_passed(), before the rest is planned again.
+void Channel::add_passed() {
+  queue_.for_each_passed([this](const ipo::TimedBlock& timed) { pass(timed); });
+  add_present();
 }
 
 /// What has passed of the block in which the machine is.

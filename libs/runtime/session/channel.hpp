@@ -106,6 +106,7 @@ class Channel {
   void pass(const ipo::TimedBlock& timed);
   double request_time() const noexcept;
   void add_period(const Setpoint& next) noexcept;
+  void add_passed();
   void add_present();
 
   const Machine& machine_;

@@ -19,6 +19,8 @@ constexpr double within_limits(double feed_override) noexcept {
   return feed_override < kSmallestOverride ? 0 : std::min(feed_override, kLargestOverride);
 }
 
+/// What an operator can slow feed and spindle down to; to halt is a request of its own.
+inline constexpr double kLeastOfOperator = 0.1;
 /// An override of rapids lies between these.
 inline constexpr double kSmallestRapid = 0.01, kLargestRapid = 1;
 

@@ -194,9 +194,8 @@ Row Session::exchange(const Setpoint& setpoint) {
 }
 
 void Session::set_spindle_override(double spindle_override) noexcept {
-  constexpr double kLeast = 0.1;
   if (std::isnan(spindle_override)) return;
-  spindle_override_ = std::clamp(spindle_override, kLeast, kLargestOverride);
+  spindle_override_ = std::clamp(spindle_override, kLeastOfOperator, kLargestOverride);
 }
 
 void Session::set_switches(bool block_skip, bool optional_stop, bool single_block) noexcept {
