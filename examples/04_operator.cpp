@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An operator at the machine: a line, a move by hand, a program with a hold in the middle of it,
-// and an emergency stop.
+// An operator at the machine: a line, a move by hand, a program with a hold in the middle of it, an
+// emergency stop, and homing after it.
 #include <iostream>
 #include <softcnc/softcnc.hpp>
 
@@ -21,7 +21,12 @@ void run(cnc::Operator& machine, int periods) {
 }  // namespace
 
 int main() {
-  auto machine = cnc::Operator::open(cnc::Machine());
+  const auto mill = cnc::Machine().with(
+      {"axis.x.home.search_mm_min=-3000", "axis.y.home.search_mm_min=-3000",
+       "axis.z.home.search_mm_min=1500", "axis.x.home.switch_mm=-30", "axis.y.home.switch_mm=-30",
+       "axis.z.home.switch_mm=50", "axis.x.home.order=2", "axis.y.home.order=2"});
+  if (!mill) return 2;
+  auto machine = cnc::Operator::open(*mill);
   if (!machine) return 5;
   const int minute = 60'000;  // periods of 1 ms
 
@@ -50,4 +55,7 @@ int main() {
   machine->estop();
   show(*machine, "after an emergency stop");
   std::cout << (machine->knows_position() ? "position known\n" : "position not known\n");
+  machine->home();
+  run(*machine, minute);
+  show(*machine, "homed");
 }

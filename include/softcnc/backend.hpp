@@ -18,6 +18,10 @@ class SOFTCNC_API Backend {
   /// Carries the machine over one period to the setpoint, and returns where it is then; the first
   /// setpoint says where it stands.
   virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
+  /// Returns whether the feedback tells of home switches; without them no Operator homes it.
+  virtual bool has_home_switches() const noexcept { return false; }
+  /// The machine stands where it has stood, and the next setpoint calls that place otherwise.
+  virtual void begin_again() noexcept {}
   /// Is called where the machine comes to rest within the next period, which may take long to come.
   virtual void rest() noexcept {}
 };

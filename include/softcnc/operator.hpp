@@ -27,6 +27,7 @@ enum class MachineMode : std::uint8_t {
   check,  // lines are read and judged, and nothing moves
   door,   // the door is or was open: at rest, spindle and coolant off
   sleep,  // outputs off until reset()
+  home,   // searches its home switches
 };
 /// Returns "Idle", "Run" and so on.
 SOFTCNC_API std::string name(MachineMode mode);
@@ -75,6 +76,9 @@ class SOFTCNC_API Operator {
   Refusal jog(const Jog& jog);
   /// Ends jogs within the limits of the machine.
   Refusal cancel();
+  /// Searches the home switches of all axes that have one, and sets the machine coordinates by
+  /// them: docs/homing.md. If it fails, Alarm follows, and diagnostics() says why.
+  Refusal home();
   /// Sets the origin of the active work system so that axis 0 to 2 stands at `value` mm there.
   Refusal touch_off(int axis, double value);
 

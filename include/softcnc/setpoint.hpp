@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -31,6 +32,7 @@ struct Setpoint {
 struct Feedback {
   AxisVector position = AxisVector::Zero();  // mm, actual
   bool alarm = false;                        // nothing moves any more
+  std::array<bool, kAxes> home{};            // whether the home switch of an axis is closed
 };
 
 }  // namespace softcnc::api

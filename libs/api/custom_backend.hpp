@@ -22,7 +22,13 @@ class CustomBackend final : public hal::Backend {
     const api::Feedback feedback = backend_->exchange(setpoint_of(setpoint, period_));
     if (!feedback.position.allFinite()) return {last_, Alarm::driver_fault};
     last_ = feedback.position;
-    return {last_, feedback.alarm ? Alarm::driver_fault : Alarm::none};
+    return {last_, feedback.alarm ? Alarm::driver_fault : Alarm::none, -1, feedback.home};
+  }
+  bool has_home_switches() const noexcept override {
+    return backend_ && backend_->has_home_switches();
+  }
+  void begin_again() noexcept override {
+    if (backend_) backend_->begin_again();
   }
   void rest() noexcept override {
     if (backend_) backend_->rest();

@@ -66,6 +66,7 @@ Operator::Refusal Operator::jog(const Jog& jog) {
   return refusal_of(data_->operated.jog({jog.distance, jog.feed, jog.continuous}));
 }
 Operator::Refusal Operator::cancel() { return refusal_of(data_->operated.cancel()); }
+Operator::Refusal Operator::home() { return refusal_of(data_->operated.home()); }
 Operator::Refusal Operator::touch_off(int axis, double value) {
   return refusal_of(data_->operated.touch_off(axis, value));
 }

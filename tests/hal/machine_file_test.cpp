@@ -390,6 +390,17 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
               .starts_with("mill.toml:2:10: error: axis.z.min_mm = 2000 is not below "
                            "axis.z.max_mm = 1000 [SC7008]\n"));
   }
+  SECTION("a home switch at the end of travel") {
+    CHECK(refused_machine("[axis.x]\nmin_mm = -100\n[axis.x.home]\nsearch_mm_min = -600\n"
+                          "switch_mm = -103") ==
+          "mill.toml:5:13: error: axis.x rests at -101 after homing, beyond its travel from -100 "
+          "to 1000 [SC7028]\n"
+          "    5 | switch_mm = -103\n"
+          "      |             ^~~~\n");
+    CHECK(refused_machine("[axis.z.home]\nsearch_mm_min = 600\nback_off_mm = 1000\n"
+                          "switch_mm = -1")
+              .starts_with("mill.toml:4:13: error: axis.z rests at -1001 after homing"));
+  }
   SECTION("periods that do not divide") {
     CHECK(refused_machine("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==
           "mill.toml:2:13: error: control.period_ms = 1.5 is not a multiple of "

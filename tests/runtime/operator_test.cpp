@@ -47,6 +47,9 @@ void lead(Desk& desk, MachineMode mode) {
     case MachineMode::sleep:
       REQUIRE(desk.operated.sleep());
       return;
+    case MachineMode::home:
+      REQUIRE(desk.operated.home());
+      return desk.run(100);
   }
 }
 
@@ -76,6 +79,8 @@ Status ask(Operator& operated, Request request) {
       return operated.check();
     case Request::sleep:
       return operated.sleep();
+    case Request::home:
+      return operated.home();
   }
   return {};
 }
@@ -103,12 +108,10 @@ TEST_CASE("each request does in each state what the table says", "[runtime][oper
         continue;
       }
       const bool has_program = mode != MachineMode::door;
-      if (rule.next == MachineMode::run || rule.next == MachineMode::jog)
-        CHECK(desk.operated.mode() == (has_program ? rule.next : MachineMode::idle));
-      else
-        desk.run(20'000, [&] { return desk.operated.mode() == rule.next; });
-      if (rule.next != MachineMode::run && rule.next != MachineMode::jog)
-        CHECK(desk.operated.mode() == rule.next);
+      const bool begins = rule.next == MachineMode::run || rule.next == MachineMode::jog ||
+                          rule.next == MachineMode::home;
+      if (!begins) desk.run(20'000, [&] { return desk.operated.mode() == rule.next; });
+      CHECK(desk.operated.mode() == (begins && !has_program ? MachineMode::idle : rule.next));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
@@ -20,18 +21,25 @@ inline Machine machine_to_operate(BackendKind backend, double jerk) {
   Machine machine;
   machine.control.backend = backend;
   machine.step_port.file.clear();  // pulses are counted, and not written
-  for (Axis& axis : machine.axes) axis.jerk = jerk;
+  for (Axis& axis : machine.axes) {
+    axis.jerk = jerk;
+    axis.home.search = 20;
+    axis.home.place = 100;
+  }
   return machine;
 }
 
 class Desk final : public runtime::RowSink {
  public:
   explicit Desk(BackendKind kind, double jerk = 0) : Desk(machine_to_operate(kind, jerk)) {}
-  explicit Desk(const Machine& on)
+  explicit Desk(const Machine& on) : Desk(on, std::move(*hal::open_backend(on))) {}
+  Desk(const Machine& on, std::unique_ptr<hal::Backend> with)
       : machine(on),
-        backend(std::move(*hal::open_backend(machine))),
+        backend(std::move(with)),
         operated(machine, {}, *backend, this, [this](const Diagnostic& found) {
-          if (found.severity() == Severity::error) errors.push_back(found.code);
+          if (found.severity() != Severity::error) return;
+          errors.push_back(found.code);
+          messages.push_back(render(found));
         }) {}
 
   bool row(const Setpoint& setpoint, std::span<const double>) override {
@@ -49,8 +57,9 @@ class Desk final : public runtime::RowSink {
   /// Until nothing moves any more; at most a quarter of an hour.
   void settle() {
     const auto is_idle = [this] {
-      return operated.mode() != runtime::MachineMode::run &&
-             operated.mode() != runtime::MachineMode::jog;
+      const auto mode = operated.mode();
+      return mode != runtime::MachineMode::run && mode != runtime::MachineMode::jog &&
+             mode != runtime::MachineMode::home;
     };
     run(900'000, is_idle);
     REQUIRE(is_idle());
@@ -88,6 +97,7 @@ class Desk final : public runtime::RowSink {
   std::vector<std::int64_t> periods;
   std::vector<AxisVector> places;
   std::vector<Code> errors;
+  std::vector<std::string> messages;  // of the errors, as a user reads them
   runtime::Operator operated;
 };
 

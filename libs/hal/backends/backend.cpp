@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "hal/backends/hal_stream.hpp"
+#include "hal/backends/home_switches.hpp"
 #include "hal/backends/sim.hpp"
 #include "hal/backends/stepdir.hpp"
 #include "hal/ports/port_edges.hpp"
@@ -17,13 +19,22 @@ namespace {
 /// Goes nowhere: the axes are taken to be where they are commanded.
 class NullBackend final : public Backend {
  public:
+  explicit NullBackend(const Machine& machine) : switches_(machine) {}
+
   Feedback exchange(const Setpoint& setpoint) noexcept override {
     position_ = setpoint.position;
-    return {position_, Alarm::none, -1};
+    if (!std::exchange(started_, true)) switches_.begin(position_);
+    Feedback feedback{position_, Alarm::none, -1};
+    switches_.read(std::span(&position_, 1), feedback);
+    return feedback;
   }
+  void begin_again() noexcept override { started_ = false; }
+  bool has_home_switches() const noexcept override { return true; }
   AxisVector settle() const noexcept override { return position_; }
 
  private:
+  HomeSwitches switches_;
+  bool started_ = false;
   AxisVector position_ = AxisVector::Zero();
 };
 
@@ -44,8 +55,8 @@ struct BackendEntry {
 
 constexpr BackendEntry kBackends[] = {
     {BackendKind::none,
-     [](const Machine&, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
-       return std::make_unique<NullBackend>();
+     [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
+       return std::make_unique<NullBackend>(machine);
      }},
     {BackendKind::sim,
      [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {

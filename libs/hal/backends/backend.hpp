@@ -54,6 +54,9 @@ class Backend {
   /// The next setpoint says again where the machine stands, as the first one did.
   virtual void begin_again() noexcept {}
 
+  /// Returns whether the feedback tells of home switches.
+  virtual bool has_home_switches() const noexcept { return false; }
+
   /// Writes what is left. Call once after the last exchange; without it a backend that writes a
   /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of
   /// PortPlayer::finish().

@@ -23,6 +23,7 @@ const Screw& simulated_screw(const Machine& machine, std::size_t axis) noexcept 
 
 SimulatedMill::SimulatedMill(const Machine& machine)
     : commands_(machine),
+      switches_(machine),
       servo_period_(loop_period(machine.control)),
       servo_periods_(parts_of_period(machine.control, servo_period_)),
       error_max_(Backend::following_error_max()) {
@@ -63,6 +64,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
     feedback.alarm = slide.servo.alarm();
     feedback.alarm_axis = slide.axis;
   }
+  switches_.read(actual(), feedback);
   return feedback;
 }
 
@@ -75,6 +77,7 @@ void SimulatedMill::begin(const Setpoint& sent) noexcept {
     slide.screw.begin(slide.servo.position());
     actual_.back()[slide.axis] = slide.screw.table();
   }
+  switches_.begin(actual_.back());
 }
 
 void SimulatedMill::run_period(Slide& slide, const Setpoint& sent) noexcept {

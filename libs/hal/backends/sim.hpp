@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/backends/backend.hpp"
+#include "hal/backends/home_switches.hpp"
 #include "hal/backends/lag_monitor.hpp"
 #include "hal/backends/lead_screw.hpp"
 #include "hal/backends/servo.hpp"
@@ -25,6 +26,7 @@ class SimulatedMill final : public Backend {
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
   void begin_again() noexcept override { started_ = false; }
+  bool has_home_switches() const noexcept override { return true; }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
   /// path, actual position (mm), path minus actual (um) and motor current (A).
@@ -61,6 +63,7 @@ class SimulatedMill final : public Backend {
 
   Commands commands_;
   std::vector<Slide> slides_;
+  HomeSwitches switches_;  // of the tables
   std::vector<std::string> columns_;
   double servo_period_;  // s: of the position loop
   int servo_periods_;    // in one period

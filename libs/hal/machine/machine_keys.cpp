@@ -87,6 +87,8 @@ constexpr auto motor = in_axis_part<&Axis::motor, Member>;
 template <auto Member>
 constexpr auto drive = in_axis_part<&Axis::drive, Member>;
 template <auto Member>
+constexpr auto home = in_axis_part<&Axis::home, Member>;
+template <auto Member>
 constexpr auto control = in_part<&Machine::control, Member>;
 template <auto Member>
 constexpr auto port = in_part<&Machine::parallel_port, Member>;
@@ -193,6 +195,17 @@ const MachineKey kMachineKeys[] = {
      NumberKey{drive<&Drive::following_error>, mm_from_um, um_from_mm, {kLeastTolerance, 1e8}}},
     {"axis.*.drive.lost_pulse", "", "for tests: every n-th command pulse is lost before the counter, which is an alarm; 0: none is lost",
      WholeKey{drive<&Drive::lost_pulse>, {0, 1e9}}},
+
+    {"axis.*.home.search_mm_min", "mm/min", "speed at which the home switch is searched, negative towards smaller coordinates; 0: the axis has none (docs/homing.md)",
+     NumberKey{home<&HomeSwitch::search>, mm_s_from_mm_min, mm_min_from_mm_s, {-kMostVelocity, kMostVelocity}}},
+    {"axis.*.home.latch_mm_min", "mm/min", "speed at which the switch is approached once more, and its place counts; 0: one blu_um each control.period_ms",
+     NumberKey{home<&HomeSwitch::latch>, mm_s_from_mm_min, mm_min_from_mm_s, rate_or_0(kMostVelocity)}},
+    {"axis.*.home.back_off_mm", "mm", "how far the axis moves away from the switch before it is latched, and at the end",
+     NumberKey{home<&HomeSwitch::back_off>, unconverted, unconverted, {0.01, 1000}}},
+    {"axis.*.home.switch_mm", "mm", "where the switch closes, in machine coordinates",
+     NumberKey{home<&HomeSwitch::place>, unconverted, unconverted, {-1e5, 1e5}}},
+    {"axis.*.home.order", "", "axes of the same number are homed together, those with a smaller one before",
+     WholeKey{home<&HomeSwitch::order>, {1, 9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
      NumberKey{in_part<&Machine::spindle, &Spindle::min_rpm>, unconverted, unconverted, rate_or_0(1e6)}},

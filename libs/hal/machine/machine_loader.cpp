@@ -223,6 +223,7 @@ LoadedOrErrors MachineLoader::finish() {
   if (!is_doubtful_) {
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
+    for (int axis = 0; axis < kAxes; ++axis) check_home(axis);
     check_devices();
     for (int axis = 0; axis < kAxes; ++axis) check_plant(axis);
     check_compensation();
@@ -260,6 +261,20 @@ void MachineLoader::check_travel(int index) {
   clash(Code::SC7008, {name + ".max_mm", name + ".min_mm"},
         name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
             ".max_mm = " + number_text(axis.max));
+}
+
+/// Behind its home switch, where homing ends, an axis must be within its travel.
+void MachineLoader::check_home(int index) {
+  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
+  const HomeSwitch& home = axis.home;
+  if (!axis.present || home.search == 0) return;
+  const double rest = home.place - std::copysign(home.back_off, home.search);
+  if (rest >= axis.min && rest <= axis.max) return;
+  const std::string name = "axis." + axis_name(index);
+  clash(Code::SC7028,
+        {name + ".home.switch_mm", name + ".home.back_off_mm", name + ".home.search_mm_min"},
+        name + " rests at " + number_text(rest) + " after homing, beyond its travel from " +
+            number_text(axis.min) + " to " + number_text(axis.max));
 }
 
 /// Where the first of several keys was given that was given at all.

@@ -80,6 +80,7 @@ class MachineLoader {
   void check_compensation();
   void check_periods();
   void check_travel(int index);
+  void check_home(int index);
   void check_devices();
   void check_method();
   void check_rough_period();

@@ -20,8 +20,9 @@
 #include "motion/core/axes.hpp"
 #include "motion/geometry/spline.hpp"
 #include "motion/model/contact.hpp"
-#include "motion/model/machine_code.hpp"  // IWYU pragma: export
-#include "motion/model/method.hpp"        // IWYU pragma: export
+#include "motion/model/machine_code.hpp"   // IWYU pragma: export
+#include "motion/model/machine_ports.hpp"  // IWYU pragma: export
+#include "motion/model/method.hpp"         // IWYU pragma: export
 #include "motion/roughness/roughness_request.hpp"
 
 namespace softcnc {
@@ -138,6 +139,15 @@ struct Drive {
   int lost_pulse = 0;               // every n-th command pulse is lost; 0: none
 };
 
+/// The home switch of an axis, and how it is found.
+struct HomeSwitch {
+  double search = 0;    // mm/s, negative towards smaller coordinates; 0: there is none
+  double latch = 0;     // mm/s: where the place counts; 0: a BLU each period
+  double back_off = 2;  // mm: away from the switch, before it is latched and at the end
+  double place = 0;     // mm, machine coordinates: where it closes
+  int order = 1;        // axes of the same number search together, smaller ones first
+};
+
 struct Axis {
   bool present = true;
   double velocity = 250.0;       // mm/s
@@ -151,6 +161,7 @@ struct Axis {
   bool drive_limits = false;     // the acceleration is what the drive allows, not the axis
   Motor motor;
   Drive drive;
+  HomeSwitch home;
 };
 
 /// A place of a lead screw and how far the table is beyond it, mm: position and error.
@@ -173,35 +184,6 @@ struct Spindle {
   double min_rpm = 0;
   double max_rpm = 24000;
   double acceleration = 0;  // rpm/s; 0: it reaches any speed at once
-};
-
-/// Drives with step and direction inputs, and the timing that their inputs require.
-struct StepPort {
-  std::string file = "steps.vcd";  // of edges; empty: none
-  double max_rate = 100e3;         // Hz: pulses of an axis
-  double step_length = 2.5e-6;     // s
-  double step_space = 2.5e-6;      // s
-  double direction_setup = 5e-6;   // s
-  double direction_hold = 5e-6;    // s
-};
-
-/// A PC's parallel port as step and direction lines, within the timing of StepPort. Pins are those
-/// of the 25-pole plug; a negative one is inverted, 0 is none.
-struct ParallelPort {
-  std::string device = "/dev/parport0";  // empty: none
-  double base_period = 50e-6;            // s between two writes to the port
-  std::array<int, kAxes> step_pin{2, 4, 6}, direction_pin{3, 5, 7};
-  int enable_pin = 8;       // out: high while it runs
-  int charge_pump_pin = 9;  // out: toggles every base period while it runs
-  int estop_pin = 10;       // in: high is pressed, so that a broken wire stops the machine, too
-  int limit_pin = 0;        // in: high is an axis at the end of its travel
-  int fault_pin = 0;        // in: high is a drive that has switched itself off
-};
-
-/// Rows for LinuxCNC's halstreamer.
-struct HalStream {
-  std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
-  double patience = 5.0;               // s: timeout for a blocked pipe
 };
 
 /// What a length, or an argument of G65, without a decimal point counts in the fanuc and haas

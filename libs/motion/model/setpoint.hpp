@@ -2,6 +2,7 @@
 // What the interpolator hands to a backend each period, and what comes back.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -78,6 +79,10 @@ struct Feedback {
   AxisVector position = AxisVector::Zero();  // mm, actual
   Alarm alarm = Alarm::none;
   int alarm_axis = -1;
+  std::array<bool, kAxes> home{};  // whether the home switch of an axis is closed,
+  /// and where the axis was in this period when that changed last, mm; else its position. As fine
+  /// as the backend reads its switches.
+  AxisVector switched = position;
 };
 
 }  // namespace softcnc

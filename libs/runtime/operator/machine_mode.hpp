@@ -18,9 +18,10 @@ enum class MachineMode : std::uint8_t {
   check,  // lines are read and judged, and nothing moves
   door,   // the door is or was open: at rest, spindle and coolant off
   sleep,  // outputs off until reset()
+  home,   // searches its home switches
 };
-inline constexpr std::array<std::string_view, 8> kModeNames{"Idle",  "Run",   "Hold", "Jog",
-                                                            "Alarm", "Check", "Door", "Sleep"};
+inline constexpr std::array<std::string_view, 9> kModeNames{
+    "Idle", "Run", "Hold", "Jog", "Alarm", "Check", "Door", "Sleep", "Home"};
 
 enum class Request : std::uint8_t {
   line,
@@ -35,10 +36,11 @@ enum class Request : std::uint8_t {
   unlock,
   check,
   sleep,
+  home,
 };
-inline constexpr std::array<std::string_view, 12> kRequestNames{"line", "start",  "jog",   "cancel",
-                                                                "hold", "resume", "abort", "reset",
-                                                                "door", "unlock", "check", "sleep"};
+inline constexpr std::array<std::string_view, 13> kRequestNames{
+    "line",  "start", "jog",    "cancel", "hold",  "resume", "abort",
+    "reset", "door",  "unlock", "check",  "sleep", "home"};
 
 /// What comes of a request. An emergency stop, a fault and a limit switch lead to Alarm from
 /// everywhere.

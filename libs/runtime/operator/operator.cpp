@@ -132,6 +132,7 @@ std::optional<Row> Operator::step_of(Session& session) {
   last_.fine = {};
   begun_ = true;
   follow_outputs();
+  if (homing_ && homing_->sees(row->feedback)) jog_->abort();
   if (row->feedback.alarm == Alarm::none) return row;
   values_.assign(row->values.begin(), row->values.end());
   const Row last{last_, row->feedback, values_};
@@ -151,7 +152,8 @@ void Operator::settle_jog() {
   session_->count_on_from(last_);
   if (mode_ == MachineMode::alarm && !rests_in_) switch_.reset();
   if (rests_in_) return ended();
-  if (mode_ == MachineMode::jog) mode_ = MachineMode::idle;
+  if (homing_) return home_on();
+  if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = MachineMode::idle;
   if (returning_) go_on();
 }
 

@@ -13,6 +13,7 @@
 #include "hal/backends/backend.hpp"
 #include "motion/core/result.hpp"
 #include "motion/model/outputs.hpp"
+#include "runtime/operator/homing.hpp"
 #include "runtime/operator/jog_move.hpp"
 #include "runtime/operator/machine_mode.hpp"
 #include "runtime/operator/open_text.hpp"
@@ -51,6 +52,11 @@ class Operator {
   Status jog(const Jog& jog);
   /// Ends jogs within the limits of the machine.
   Status cancel();
+  /// Searches the home switches of all axes that have one, in the order of the machine file, and
+  /// sets the machine coordinates by them; from then on the position is known, if every axis has
+  /// one. Where a switch is not where it should be, the machine comes to rest and Alarm follows
+  /// (SC5090 in `report`); where homing is ended, nothing is set. Errors: SC5080.
+  Status home();
   /// Sets the origin of the active work system so that the machine stands at `value` mm there.
   Status touch_off(int axis, double value);
 
@@ -129,6 +135,8 @@ class Operator {
   Status judge(std::string_view text);
   bool leads_off_switch(const Jog& jog) const noexcept;
   void move_by_hand(const AxisVector& to, double feed);
+  void home_on();
+  void stand_at(const AxisVector& place);
   void pause_motion();
   std::int64_t periods_to_speed() const noexcept;
   void go_on();
@@ -155,6 +163,7 @@ class Operator {
   std::optional<Session> jog_;
   std::optional<Session> judged_;            // in Check
   AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
+  std::optional<Homing> homing_;             // its legs are jogs
   OpenText open_;
   Setpoint last_;
   bool begun_ = false;            // there is a last row

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves by hand, what stops the machine, and how it goes on.
+// What stops the machine, and how it goes on.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,75 +8,10 @@
 #include "runtime/operator/refusal.hpp"
 
 namespace softcnc::runtime {
-namespace {
 
-constexpr double kSlowJog = 5;  // mm/s: where the position is not known, or off a limit switch
-
-Block jog_block(const AxisVector& from, const AxisVector& to, double feed) {
-  Move move{Line(from, to), feed == 0, feed, PathMode::stop};
-  move.feed_override = false;
-  return {move};
-}
-
-ChannelOptions of_jog(const ChannelOptions& options, const AxisVector& place) {
-  ChannelOptions of_jog;
-  of_jog.state = options.state;
-  of_jog.state.position = KeptPosition{place};
-  return of_jog;
-}
-
-}  // namespace
-
-// By hand -----------------------------------------------------------------------------------------
-
-/// Off a limit switch leads only a jog of its axis, away from it.
-bool Operator::leads_off_switch(const Jog& jog) const noexcept {
-  if (!switch_) return false;
-  AxisVector others = jog.distance;
-  others[switch_->axis] = 0;
-  return others.isZero(0) && jog.distance[switch_->axis] * switch_->direction < 0;
-}
-
-Status Operator::jog(const Jog& jog) {
-  if (const auto answer = answered(Request::jog)) return *answer;
-  if (mode_ == MachineMode::alarm && !leads_off_switch(jog))
-    return refusal(switch_ ? "jog: only away from the limit switch" : "jog: not while in Alarm");
-  const bool stops = jog_ ? !jog_->takes_more() : mode_ == MachineMode::hold && moving();
-  if (stops) return refusal("jog: not at rest yet");
-  const bool slow = !known_ || mode_ == MachineMode::alarm;
-  const auto to = softcnc::runtime::jog_end(jog, jog_ ? jog_end_ : last_.position,
-                                            known_ ? machine_ : free_machine_);
-  if (!to) return tl::make_unexpected(to.error());
-  if (mode_ == MachineMode::hold && running_ && !left_) left_ = last_.position;
-  if (mode_ == MachineMode::idle) mode_ = MachineMode::jog;
-  move_by_hand(*to, slow ? std::min(jog.feed, kSlowJog) : jog.feed);
-  return {};
-}
-
-/// A feed of 0 stands for a rapid.
-void Operator::move_by_hand(const AxisVector& to, double feed) {
-  if (!jog_) {
-    jog_.emplace(known_ ? machine_ : free_machine_, of_jog(options_, last_.position), backend_,
-                 sink_, report_);
-    if (begun_) jog_->count_on_from(last_);
-    jog_->set_rapid_override(rapid_override_);  // of the way back
-    jog_end_ = last_.position;
-  }
-  if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
-  jog_->rest();
-  jog_end_ = to;
-}
-
-Status Operator::cancel() {
-  if (const auto answer = answered(Request::cancel)) return *answer;
-  if (jog_) jog_->abort();
-  return {};
-}
-
-// Stopping and going on ---------------------------------------------------------------------------
-
-/// Brings to rest what moves, so that it can go on.
+/// Brings to rest what moves, so that it can go on; homing ends.
 void Operator::pause_motion() {
+  homing_.reset();
   if (jog_)
     jog_->abort();
   else if (running_)
@@ -87,7 +22,7 @@ Status Operator::hold() {
   if (const auto answer = answered(Request::hold)) return *answer;
   pause_motion();
   returning_ = false;
-  if (mode_ != MachineMode::jog) mode_ = MachineMode::hold;
+  if (mode_ != MachineMode::jog && mode_ != MachineMode::home) mode_ = MachineMode::hold;
   return {};
 }
 
@@ -135,6 +70,7 @@ void Operator::go_on() {
 /// Ends what runs, in this state once the machine is at rest.
 void Operator::end_in(MachineMode mode) {
   rests_in_ = rests_in_ == MachineMode::alarm ? MachineMode::alarm : mode;
+  homing_.reset();
   if (jog_)
     jog_->abort();
   else if (running_ && moving())
@@ -219,6 +155,7 @@ void Operator::estop() {
   known_ = known_ && is_measured;
   outputs_ = programmed_ = {};
   jog_.reset();
+  homing_.reset();
   judged_.reset();
   rests_in_.reset();
   resets_ = false;
@@ -276,12 +213,17 @@ Status Operator::set_position(const AxisVector& place) {
   const bool rests = mode_ == MachineMode::idle || mode_ == MachineMode::alarm;
   if (!rests || jog_) return refusal("set_position: only at rest, in Idle or Alarm");
   if (!is_near(place)) return refusal("set_position: no such place");
+  known_ = true;
+  stand_at(place);
+  return {};
+}
+
+/// The same place has other coordinates.
+void Operator::stand_at(const AxisVector& place) {
   const MachineState before = state();
   last_.position = place;
-  known_ = true;
   backend_.begin_again();
   begin_session(before);
-  return {};
 }
 
 }  // namespace softcnc::runtime

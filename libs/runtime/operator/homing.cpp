@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/operator/homing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "hal/files/number.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+constexpr double kSettlingTimes = 6;       // time constants of the position loop: to a part in 400
+constexpr double kLongestPause = 2;  // s
+constexpr double kNothing = 1e-6;    // mm: of a reach that is used up
+
+bool has_switch(const Axis& axis) noexcept { return axis.present && axis.home.search != 0; }
+
+double latch_speed(const Machine& machine, const Axis& axis) noexcept {
+  return axis.home.latch > 0 ? axis.home.latch : axis.blu / machine.control.period;
+}
+
+std::string mm(double length) { return hal::number_text(std::round(length * 1e3) / 1e3) + " mm"; }
+
+}  // namespace
+
+Homing::Homing(const Machine& machine) : machine_(machine) {}
+
+bool Homing::is_possible(const Machine& machine) noexcept {
+  return std::any_of(machine.axes.begin(), machine.axes.end(), has_switch);
+}
+
+bool Homing::finds_all() const noexcept {
+  return std::all_of(machine_.axes.begin(), machine_.axes.end(),
+                     [](const Axis& axis) { return !axis.present || has_switch(axis); });
+}
+
+// From leg to leg ---------------------------------------------------------------------------------
+
+std::optional<Homing::Leg> Homing::next(const AxisVector& place) {
+  count_reach(place);
+  place_ = place;
+  while (!failure_) {
+    if (group_.empty()) begin_group();
+    if (group_.empty() || failure_) break;
+    const bool seeks = phase_ == Phase::search || phase_ == Phase::latch;
+    if (seeks && !all_found()) {
+      check_reach();
+      if (!failure_) return towards_switches(place);
+    } else if (seeks) {
+      check_closed();
+      if (phase_ == Phase::latch) check_edges();
+      phase_ = phase_ == Phase::search ? Phase::back_off : Phase::leave;
+      if (!failure_) return off_switches(place);
+    } else {
+      check_open();
+      phase_ == Phase::back_off ? begin_latch() : take_edges();
+    }
+  }
+  return std::nullopt;
+}
+
+void Homing::begin_group() {
+  int order = std::numeric_limits<int>::max();
+  for (const Axis& axis : machine_.axes)
+    if (has_switch(axis) && axis.home.order > order_) order = std::min(order, axis.home.order);
+  order_ = order;
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+    if (has_switch(axis) && axis.home.order == order)
+      group_.push_back({i, &axis.home, std::copysign(1.0, axis.home.search)});
+  }
+  begin_search();
+}
+
+void Homing::begin_search() {
+  phase_ = Phase::search;
+  for (Seeker& seeker : group_) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
+    seeker.speed = std::abs(seeker.home->search);
+    seeker.reach = axis.max - axis.min + 2 * seeker.home->back_off;
+    if (closed_[static_cast<std::size_t>(seeker.axis)])
+      fail(seeker.axis, "is closed already where the search begins");
+  }
+}
+
+void Homing::begin_latch() {
+  phase_ = Phase::latch;
+  for (Seeker& seeker : group_) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
+    seeker.first_edge = seeker.edge;
+    seeker.found = false;
+    seeker.speed = latch_speed(machine_, axis);
+    seeker.reach = 2 * seeker.home->back_off;
+  }
+}
+
+/// Takes off what the leg has moved towards the switches.
+void Homing::count_reach(const AxisVector& place) {
+  for (Seeker& seeker : group_)
+    seeker.reach -= (place[seeker.axis] - place_[seeker.axis]) * seeker.direction;
+}
+
+bool Homing::all_found() const noexcept {
+  return std::all_of(group_.begin(), group_.end(), [](const Seeker& s) { return s.found; });
+}
+
+/// All that have not been found move at once, each at its own speed, until one of them can go no
+/// further.
+Homing::Leg Homing::towards_switches(const AxisVector& place) {
+  double time = std::numeric_limits<double>::infinity();
+  for (const Seeker& seeker : group_)
+    if (!seeker.found) time = std::min(time, seeker.reach / seeker.speed);
+  Leg leg{place, 0};
+  for (const Seeker& seeker : group_)
+    if (!seeker.found) leg.to[seeker.axis] += seeker.direction * seeker.speed * time;
+  leg.feed = (leg.to - place).norm() / time;
+  return leg;
+}
+
+/// Rests there until the tables have come to rest, too.
+Homing::Leg Homing::off_switches(const AxisVector& place) {
+  Leg leg{place, 0};
+  double time = 0;
+  for (const Seeker& seeker : group_) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
+    leg.to[seeker.axis] = seeker.edge - seeker.direction * seeker.home->back_off;
+    time = std::max(
+        time, std::abs(leg.to[seeker.axis] - place[seeker.axis]) / std::abs(seeker.home->search));
+    leg.pause = std::max(leg.pause, std::min(kSettlingTimes / axis.drive.kv, kLongestPause));
+  }
+  leg.feed = (leg.to - place).norm() / time;
+  return leg;
+}
+
+void Homing::take_edges() {
+  for (const Seeker& seeker : group_)
+    offset_[seeker.axis] =
+        seeker.home->place - seeker.edge + table_[seeker.axis] - place_[seeker.axis];
+  group_.clear();
+}
+
+// What rows say -----------------------------------------------------------------------------------
+
+bool Homing::sees(const Feedback& feedback) {
+  closed_ = feedback.home;
+  table_ = feedback.position;
+  if (!std::exchange(begun_, true)) {
+    for (int i = 0; i < kAxes; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      if (has_switch(machine_.axes[axis]) && closed_[axis])
+        fail(i, "is closed already where homing begins");
+    }
+    return failure_.has_value();
+  }
+  if (phase_ != Phase::search && phase_ != Phase::latch) return false;
+  bool finds = false;
+  for (Seeker& seeker : group_) {
+    if (seeker.found || !closed_[static_cast<std::size_t>(seeker.axis)]) continue;
+    seeker.found = finds = true;
+    seeker.edge = feedback.switched[seeker.axis];
+  }
+  return finds;
+}
+
+// What is wrong -----------------------------------------------------------------------------------
+
+void Homing::check_reach() {
+  for (const Seeker& seeker : group_)
+    if (!seeker.found && seeker.reach < kNothing)
+      fail(seeker.axis, phase_ == Phase::search
+                            ? "has not closed over the whole travel"
+                            : "has not closed again within " + mm(2 * seeker.home->back_off));
+}
+
+void Homing::check_closed() {
+  for (const Seeker& seeker : group_)
+    if (!closed_[static_cast<std::size_t>(seeker.axis)])
+      fail(seeker.axis, "has opened again where the axis came to rest beyond it");
+}
+
+void Homing::check_edges() {
+  for (const Seeker& seeker : group_) {
+    const double apart = std::abs(seeker.edge - seeker.first_edge);
+    if (apart > seeker.home->back_off / 2)
+      fail(seeker.axis, "has closed at two places, " + mm(apart) + " apart");
+  }
+}
+
+void Homing::check_open() {
+  for (const Seeker& seeker : group_)
+    if (closed_[static_cast<std::size_t>(seeker.axis)])
+      fail(seeker.axis,
+           "is still closed " + mm(seeker.home->back_off) + " away from where it closed");
+}
+
+void Homing::fail(int axis, const std::string& what) {
+  if (failure_) return;
+  failure_ = Diagnostic{.code = Code::SC5090,
+                        .message = std::string("the home switch of ") +
+                                   kAxisLetters[static_cast<std::size_t>(axis)] + ' ' + what};
+}
+
+}  // namespace softcnc::runtime

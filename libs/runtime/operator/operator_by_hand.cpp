@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Moves by hand, and homing, whose legs are such moves.
+#include <algorithm>
+#include <utility>
+
+#include "runtime/operator/operator.hpp"
+#include "runtime/operator/refusal.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+constexpr double kSlowJog = 5;  // mm/s: where the position is not known, or off a limit switch
+
+Block jog_block(const AxisVector& from, const AxisVector& to, double feed) {
+  Move move{Line(from, to), feed == 0, feed, PathMode::stop};
+  move.feed_override = false;
+  return {move};
+}
+
+ChannelOptions of_jog(const ChannelOptions& options, const AxisVector& place) {
+  ChannelOptions of_jog;
+  of_jog.state = options.state;
+  of_jog.state.position = KeptPosition{place};
+  return of_jog;
+}
+
+}  // namespace
+
+/// Off a limit switch leads only a jog of its axis, away from it.
+bool Operator::leads_off_switch(const Jog& jog) const noexcept {
+  if (!switch_) return false;
+  AxisVector others = jog.distance;
+  others[switch_->axis] = 0;
+  return others.isZero(0) && jog.distance[switch_->axis] * switch_->direction < 0;
+}
+
+Status Operator::jog(const Jog& jog) {
+  if (const auto answer = answered(Request::jog)) return *answer;
+  if (mode_ == MachineMode::alarm && !leads_off_switch(jog))
+    return refusal(switch_ ? "jog: only away from the limit switch" : "jog: not while in Alarm");
+  const bool stops = jog_ ? !jog_->takes_more() : mode_ == MachineMode::hold && moving();
+  if (stops) return refusal("jog: not at rest yet");
+  const bool slow = !known_ || mode_ == MachineMode::alarm;
+  const auto to = softcnc::runtime::jog_end(jog, jog_ ? jog_end_ : last_.position,
+                                            known_ ? machine_ : free_machine_);
+  if (!to) return tl::make_unexpected(to.error());
+  if (mode_ == MachineMode::hold && running_ && !left_) left_ = last_.position;
+  if (mode_ == MachineMode::idle) mode_ = MachineMode::jog;
+  move_by_hand(*to, slow ? std::min(jog.feed, kSlowJog) : jog.feed);
+  return {};
+}
+
+/// A feed of 0 stands for a rapid.
+void Operator::move_by_hand(const AxisVector& to, double feed) {
+  if (!jog_) {
+    jog_.emplace(known_ && !homing_ ? machine_ : free_machine_, of_jog(options_, last_.position),
+                 backend_, sink_, report_);
+    if (begun_) jog_->count_on_from(last_);
+    jog_->set_rapid_override(rapid_override_);  // of the way back
+    jog_end_ = last_.position;
+  }
+  if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
+  jog_->rest();
+  jog_end_ = to;
+}
+
+Status Operator::cancel() {
+  if (const auto answer = answered(Request::cancel)) return *answer;
+  homing_.reset();
+  if (jog_) jog_->abort();
+  return {};
+}
+
+Status Operator::home() {
+  if (const auto answer = answered(Request::home)) return *answer;
+  if (jog_ || rests_in_) return refusal("home: not at rest yet");
+  if (switch_) return refusal("home: jog away from the limit switch first");
+  if (!Homing::is_possible(machine_))
+    return refusal("home: no axis has a home switch (axis.*.home.search_mm_min)");
+  if (!backend_.has_home_switches())
+    return refusal("home: the backend has no inputs for home switches");
+  open_.forget();
+  homing_.emplace(machine_);
+  mode_ = MachineMode::home;
+  home_on();
+  return {};
+}
+
+/// The next leg of homing, or what comes of it.
+void Operator::home_on() {
+  if (const auto leg = homing_->next(last_.position)) {
+    move_by_hand(leg->to, leg->feed);
+    if (leg->pause > 0) jog_->feed(Block{Dwell{leg->pause}});
+    return jog_->rest();
+  }
+  const Homing homing = *std::exchange(homing_, std::nullopt);
+  if (homing.failure()) {
+    if (report_) report_(*homing.failure());
+    mode_ = MachineMode::alarm;
+    return;
+  }
+  known_ = known_ || homing.finds_all();
+  stand_at(homing.found_place());
+  mode_ = idle_or_door();
+}
+
+}  // namespace softcnc::runtime
