@@ -28,6 +28,7 @@ Machine on_port() {
   machine.control.backend = BackendKind::parport;
   machine.control.period = 1;
   machine.parallel_port.base_period = 50e-6;
+  machine.parallel_port.charge_pump_pin = 0;
   machine.parallel_port.estop_pin = 0;
   machine.parallel_port.fault_pin = 12;
   return machine;
@@ -95,6 +96,30 @@ TEST_CASE("where the program waits the port stands, and goes on", "[apps][parpor
     REQUIRE(player->finish());
   }
   CHECK(data_of(record) == expected(144));
+}
+
+TEST_CASE("where the program waits, charge pump and spindle signal go on", "[apps][parport]") {
+  Machine machine = on_port();
+  machine.parallel_port.charge_pump_pin = 9;
+  machine.parallel_port.spindle_pwm_pin = 8;
+  machine.parallel_port.spindle_pwm_levels = 10;
+  machine.parallel_port.enable_pin = 0;
+  PortRecord record;
+  {
+    auto player = open(machine, record);
+    hal::PortWord word;
+    word.speed = 3;
+    CHECK(player->play(std::vector(48, word)) == Alarm::none);
+    player->rest();
+    runtime::sleep_until(runtime::now_ns() + 50'000'000);
+    REQUIRE(player->finish());
+  }
+  const auto data = data_of(record);
+  CHECK(data.size() > 500);  // 50 ms of 50 us, on a computer that may be late
+  for (std::size_t tick = 0; tick + 2 < data.size(); ++tick) {
+    if (data[tick] != ((tick % 2 == 0 ? 0x80 : 0) | (tick > 0 && tick % 10 < 3 ? 0x40 : 0)))
+      FAIL("tick " << tick << ": " << int{data[tick]});
+  }
 }
 
 TEST_CASE("words that come too late are an alarm, and the port is at rest", "[apps][parport]") {

@@ -576,6 +576,16 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(refused_machine(port + "fault_pin = 10")
               .starts_with("mill.toml:3:29: error: backend.parport.fault_pin = 10 is the "
                            "pin of backend.parport.estop_pin [SC7071]\n"));
+    CHECK(refused_machine(port + "flood_pin = -8")
+              .starts_with("mill.toml:3:29: error: backend.parport.flood_pin = -8 is the pin of "
+                           "backend.parport.enable_pin [SC7071]\n"));
+    CHECK(refused_machine(port + "spindle_pin = 17\n[output.clamp]\nnumber = 0\npin = -17")
+              .starts_with("mill.toml:6:7: error: output.clamp.pin = -17 is the pin of "
+                           "backend.parport.spindle_pin [SC7071]\n"));
+    CHECK(refused_machine("[output.lamp]\nnumber = 0\nkind = 'analog'\npin = 1")
+              .starts_with("mill.toml:4:7: error: output.lamp.pin: an analog output has no pin "
+                           "[SC7027]\n"));
+    CHECK(parsed(port + "spindle_pwm_pin = -14").parallel_port.spindle_pwm_pin == -14);
     CHECK(parsed(port + "x_step_pin = 0").parallel_port.step_pin[0] == 0);
     CHECK(parsed("backend.parport.x_step_pin = 14").parallel_port.step_pin[0] == 14);
   }

@@ -151,6 +151,85 @@ TEST_CASE("the charge pump turns every base period, until the end", "[hal][parpo
   CHECK(record.last(false) == 0x00);
 }
 
+namespace {
+
+Machine with_outputs() {
+  Machine machine = on_port();
+  machine.spindle.max_rpm = 6000;
+  machine.parallel_port.spindle_pin = 1;  // inverted by the port
+  machine.parallel_port.spindle_ccw_pin = -16;
+  machine.parallel_port.mist_pin = 9;
+  machine.parallel_port.flood_pin = 14;  // inverted by the port
+  machine.outputs["clamp"] = {4, SignalKind::digital, -17};
+  return machine;
+}
+
+constexpr std::uint32_t kClamp = 1U << 17;
+
+/// The control register (pins 1, 14, 16, 17) and the data register behind these outputs.
+std::pair<int, int> levels(const Machine& machine, const Outputs& outputs) {
+  PortRecord record;
+  auto backend = open_recorded(machine, record);
+  Setpoint setpoint = setpoint_at({0, 0, 0});
+  backend->exchange(setpoint);
+  setpoint.outputs = outputs;
+  backend->exchange(setpoint);
+  const auto before = record.writes.size();
+  backend->exchange(setpoint);  // the period that begins with them
+  for (std::size_t i = before; i < record.writes.size(); ++i) CHECK(record.writes[i].tick == 20);
+  const std::pair<int, int> levels{record.last(true), record.last(false)};
+  REQUIRE(backend->finish());
+  CHECK(int{record.last(true)} == (0x01 | 0x02 | 0x04));  // all low, those of 16 and 17 inverted
+  CHECK(int{record.last(false)} == 0x00);
+  return levels;
+}
+
+}  // namespace
+
+TEST_CASE("spindle, coolant and outputs are on their pins, until the end", "[hal][parport]") {
+  const Machine machine = with_outputs();
+  using Levels = std::pair<int, int>;
+  constexpr int kOff = 0x01 | 0x02 | 0x04, kEnabled = 0x40;
+  CHECK(levels(machine, {}) == Levels(kOff, kEnabled));
+  CHECK(levels(machine, {1000, false, false, 0}) == Levels(kOff & ~0x01, kEnabled));
+  CHECK(levels(machine, {-1000, false, false, 0}) == Levels(kOff & ~0x01 & ~0x04, kEnabled));
+  CHECK(levels(machine, {0, true, false, 0}) == Levels(kOff, kEnabled | 0x80));
+  CHECK(levels(machine, {0, false, true, 0}) == Levels(kOff & ~0x02, kEnabled));
+  CHECK(levels(machine, {0, false, false, kClamp}) == Levels(kOff | 0x08, kEnabled));
+  CHECK(levels(machine, {0, false, false, 1U << 16}) == Levels(kOff, kEnabled));
+}
+
+TEST_CASE("the signal of the spindle is high for the part that its speed is of the largest",
+          "[hal][parport]") {
+  Machine machine = on_port();
+  machine.spindle.max_rpm = 6000;
+  machine.parallel_port.spindle_pwm_pin = 9;
+  machine.parallel_port.spindle_pwm_levels = GENERATE(100, 7);
+  const auto cycle = machine.parallel_port.spindle_pwm_levels;
+  const double rpm = GENERATE(0.0, 60.0, 1500.0, -1500.0, 5999.0, 6000.0, 7000.0);
+  CAPTURE(cycle, rpm);
+  PortRecord record;
+  PortOutput output(std::make_unique<RecordedPort>(record), machine);
+  PortWord word = output.pins().enabled();
+  Outputs outputs;
+  outputs.spindle_rpm = rpm;
+  output.pins().set(word, outputs);
+  int high = 0, changes = 0;
+  bool before = false;
+  for (int tick = 0; tick < 10 * cycle; ++tick) {
+    REQUIRE((tick == 0 ? output.write(word) : output.write_again()) == Alarm::none);
+    const bool now = (record.last(false) & 0x80) != 0;
+    high += now ? 1 : 0;
+    changes += now != before ? 1 : 0;
+    before = now;
+  }
+  const auto expected = std::lround(std::min(std::abs(rpm) / 6000, 1.0) * cycle);
+  CHECK(high == 10 * expected);
+  CHECK(changes == (expected == 0 ? 0 : expected == cycle ? 1 : 20));
+  output.rest();
+  CHECK(record.last(false) == 0);
+}
+
 TEST_CASE("inputs are understood, inverted or not", "[hal][parport]") {
   Machine machine = on_port();
   machine.parallel_port.estop_pin = 10;

@@ -11,6 +11,7 @@
 #include "hal/machine/machine_file.hpp"
 #include "motion/geometry/path.hpp"
 #include "runtime/session/output_events.hpp"
+#include "runtime/session/session.hpp"
 #include "runtime/session/simulate.hpp"
 
 using namespace softcnc;
@@ -90,6 +91,39 @@ TEST_CASE("of very many outputs the first are kept, and the others counted", "[r
   CHECK(ran.outcome.time_sheet.outputs_left_out == 6);
 }
 
+TEST_CASE("each row has what is on from there on", "[runtime][outputs]") {
+  Machine machine = machine_with_outputs();
+  machine.control.backend = BackendKind::none;
+  machine.control.interpolation =
+      GENERATE(Method::arc_length, Method::chords, Method::taylor1, Method::acc_dec_linear);
+  machine.outputs.begin()->second.pin = 5;
+  const int number = machine.outputs.begin()->second.number;
+  const std::string p = "P" + std::to_string(number);
+  const auto backend = hal::open_backend(machine);
+  Session session(machine, {}, **backend);
+  REQUIRE(session.feed("S1000 M03\nG01 X5 F3000\nM07\nM62 " + p + "\nX10\nM04\nM08\nX15\nM65 " + p +
+                       "\nM09\nX20\nM05\nX25\nM30\n"));
+  session.end();
+  constexpr std::uint32_t kPin5 = 1U << 5;
+  const auto expected_at = [&](double x) -> Outputs {
+    if (x < 5) return {1000, false, false, 0};
+    if (x < 10) return {1000, true, false, kPin5};
+    if (x < 15) return {-1000, true, true, kPin5};
+    if (x < 20) return {-1000, false, false, 0};
+    return {0, false, false, 0};
+  };
+  int rows = 0;
+  while (const auto row = session.step()) {
+    const double x = row->setpoint.position.x();
+    if (std::abs(std::remainder(x, 5)) < 0.2) continue;  // near the places where they change
+    CAPTURE(x);
+    REQUIRE(row->setpoint.outputs == expected_at(x));
+    REQUIRE(row->setpoint.outputs == session.programmed_outputs());
+    ++rows;
+  }
+  CHECK(rows > 80);
+}
+
 TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][outputs]") {
   TimeSheet sheet;
   sheet.outputs.resize(2);
@@ -108,6 +142,9 @@ TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][ou
   CHECK(reported(BackendKind::hal_stream).find("backend hal-stream") != std::string::npos);
   sheet.outputs.resize(1);
   CHECK(reported(BackendKind::parport).find("outputs 1 time,") != std::string::npos);
+  sheet.outputs[0].port.pin = -16;
+  CHECK(reported(BackendKind::parport).empty());
+  CHECK_FALSE(reported(BackendKind::stepdir).empty());
   sheet.outputs.clear();
   CHECK(reported(BackendKind::parport).empty());
 }

@@ -105,6 +105,7 @@ void check_same(const std::vector<Setpoint>& rows, const std::vector<Setpoint>& 
     REQUIRE((rows[i].position - expected[i].position).norm() <= 1e-6);
     REQUIRE(rows[i].line == expected[i].line);
     REQUIRE(rows[i].limit == expected[i].limit);
+    REQUIRE(rows[i].outputs == expected[i].outputs);
   }
 }
 

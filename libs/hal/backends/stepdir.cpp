@@ -39,9 +39,11 @@ Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
   last_ = setpoint.position;
   if (!std::exchange(started_, true)) {
     begin(sent.position);
+    if (out_) out_->switch_outputs(setpoint.outputs);
     return {position(), Alarm::none, -1};
   }
   alarm_ = send(sent);
+  if (out_) out_->switch_outputs(setpoint.outputs);
   return {position(), alarm_, -1};
 }
 

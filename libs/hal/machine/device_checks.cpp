@@ -30,6 +30,7 @@ class Checks {
     for (const auto& [number, code] : machine_.m_codes) check(number, code);
     check_numbers(machine_.outputs, "output");
     check_numbers(machine_.inputs, "input");
+    for (const auto& [name, port] : machine_.outputs) check(name, port);
     for (const auto& [name, port] : machine_.inputs) check(name, port);
     for (const auto& [name, body] : machine_.contacts) check(name, body);
     return std::move(clashes_);
@@ -82,6 +83,13 @@ class Checks {
             table + " has the number of " + what + '.' + first->second + ": " +
                 std::string(softcnc::name(port.kind)) + ' ' + std::to_string(port.number));
     }
+  }
+
+  void check(const std::string& name, const OutputPort& port) {
+    const std::string table = "output." + name;
+    if (port.pin != 0 && port.kind == SignalKind::analog)
+      add(Code::SC7027, {table + ".pin", table + ".kind"},
+          table + ".pin: an analog output has no pin");
   }
 
   void check(const std::string& name, const InputPort& port) {

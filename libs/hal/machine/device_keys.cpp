@@ -14,8 +14,9 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kLongestTime = 1e9;      // s, as of G04
-constexpr double kLargest = 1e9;          // values of outputs and inputs
+constexpr double kLongestTime = 1e9;  // s, as of G04
+constexpr double kLargest = 1e9;      // values of outputs and inputs
+constexpr int kLastPort = 999, kLastPin = 17;
 constexpr double kFarthestContact = 1e5;  // mm, as axes
 
 MachineCode& m_code(Machine& machine, const std::string& of) {
@@ -66,14 +67,17 @@ constexpr DeviceKey kDeviceKeys[] = {
      [](const Machine& m, Of of) { return quoted_text(m_code(m, of).words); }},
 
     {"output", "number", "integer, at least 0 and at most 999", "P of M62 to M65, E of M67 and M68", "",
-     [](Machine& m, Of of, GivenKey v) { return take_port_number(output(m, of).number, v); },
+     [](Machine& m, Of of, GivenKey v) { return take_whole(output(m, of).number, v, 0, kLastPort); },
      [](const Machine& m, Of of) { return std::to_string(output(m, of).number); }},
     {"output", "kind", "'digital', 'analog'", "whether it is on or off, or has any value", "",
      [](Machine& m, Of of, GivenKey v) { return take_word(output(m, of).kind, v, kSignalKinds); },
      [](const Machine& m, Of of) { return word_text(output(m, of).kind, kSignalKinds); }},
+    {"output", "pin", "integer, at least -17 and at most 17", "output pin of the parallel port, where it is digital; negative: inverted, 0: none", "",
+     [](Machine& m, Of of, GivenKey v) { return take_whole(output(m, of).pin, v, -kLastPin, kLastPin); },
+     [](const Machine& m, Of of) { return std::to_string(output(m, of).pin); }},
 
     {"input", "number", "integer, at least 0 and at most 999", "P or E of M66", "",
-     [](Machine& m, Of of, GivenKey v) { return take_port_number(input(m, of).number, v); },
+     [](Machine& m, Of of, GivenKey v) { return take_whole(input(m, of).number, v, 0, kLastPort); },
      [](const Machine& m, Of of) { return std::to_string(input(m, of).number); }},
     {"input", "kind", "'digital', 'analog'", "whether it is on or off, or has any value", "",
      [](Machine& m, Of of, GivenKey v) { return take_word(input(m, of).kind, v, kSignalKinds); },

@@ -11,7 +11,6 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kLastPort = 999;
 constexpr std::size_t kMostNumbers = 10'000;  // of the table of an input
 
 }  // namespace
@@ -31,11 +30,11 @@ Status take_number(double& place, const FileValue& value, double low, double hig
   return {};
 }
 
-Status take_port_number(int& place, const FileValue& value) {
+Status take_whole(int& place, const FileValue& value, int low, int high) {
   if (!std::holds_alternative<std::int64_t>(value))
     return value_failure(Code::SC7004, "takes an integer");
   double number = 0;
-  auto taken = take_number(number, value, 0, kLastPort);
+  auto taken = take_number(number, value, low, high);
   if (taken) place = static_cast<int>(number);
   return taken;
 }

@@ -19,8 +19,8 @@ namespace softcnc::hal {
 
 /// Takes a number from `low` to `high`.
 Status take_number(double& place, const FileValue& value, double low, double high);
-/// Takes the number of an output or input, 0 to 999.
-Status take_port_number(int& place, const FileValue& value);
+/// Takes a whole number from `low` to `high`.
+Status take_whole(int& place, const FileValue& value, int low, int high);
 /// Takes the name of an output, or its number.
 Status take_output_name(std::string& place, const FileValue& value);
 /// Takes letters of words; those of codes and axes are refused.

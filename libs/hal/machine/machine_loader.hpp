@@ -91,6 +91,7 @@ class MachineLoader {
   void check_parallel_port();
   void check_port_rate(int index);
   void check_pin(const std::string& key, int pin, bool (*fits)(int));
+  void check_pin_of(const std::string& name, int pin, bool (*fits)(int));
 
   bool has_axis_of(const KeyRef& ref) const;
   using Keys = std::initializer_list<std::string>;

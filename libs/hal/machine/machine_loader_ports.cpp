@@ -135,6 +135,13 @@ void MachineLoader::check_parallel_port() {
   check_pin("estop_pin", port.estop_pin, is_input_pin);
   check_pin("limit_pin", port.limit_pin, is_input_pin);
   check_pin("fault_pin", port.fault_pin, is_input_pin);
+  check_pin("spindle_pin", port.spindle_pin, is_output_pin);
+  check_pin("spindle_ccw_pin", port.spindle_ccw_pin, is_output_pin);
+  check_pin("spindle_pwm_pin", port.spindle_pwm_pin, is_output_pin);
+  check_pin("mist_pin", port.mist_pin, is_output_pin);
+  check_pin("flood_pin", port.flood_pin, is_output_pin);
+  for (const auto& [name, output] : loaded_.machine.outputs)
+    check_pin_of("output." + name + ".pin", output.pin, is_output_pin);
   used_pins_.clear();
 }
 
@@ -152,10 +159,13 @@ void MachineLoader::check_port_rate(int index) {
                  blu_text(index, axis.blu) + port_rate_text(loaded_.machine), most));
 }
 
-/// A pin does what `fits` says, and one thing only.
 void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)) {
+  check_pin_of("backend.parport." + key, pin, fits);
+}
+
+/// A pin does what `fits` says, and one thing only.
+void MachineLoader::check_pin_of(const std::string& name, int pin, bool (*fits)(int)) {
   if (pin == 0) return;
-  const std::string name = "backend.parport." + key;
   const std::string text = name + " = " + std::to_string(pin);
   if (!fits(pin))
     return clash(Code::SC7071, {name, "control.backend"},

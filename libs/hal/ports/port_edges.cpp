@@ -38,7 +38,6 @@ void PortEdges::play_tick() noexcept {
   for (auto edge = waiting_.begin(); edge != later; ++edge)
     pins_.set(word_, edge->axis, edge->wire, edge->high);
   waiting_.erase(waiting_.begin(), later);
-  pins_.turn_charge_pump(word_);
   words_.push_back(word_);
   ++tick_;
 }

@@ -18,6 +18,7 @@ class PortEdges final : public EdgeSink {
   PortEdges(const Machine& machine, std::unique_ptr<PortPlayer> player);
 
   Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept override;
+  void switch_outputs(const Outputs& outputs) noexcept override { pins_.set(word_, outputs); }
   void rest() noexcept override { player_->rest(); }
   Status finish() override;
 

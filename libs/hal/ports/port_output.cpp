@@ -9,6 +9,12 @@ PortOutput::PortOutput(std::unique_ptr<PortRegisters> registers, const Machine& 
     : registers_(std::move(registers)), pins_(machine), device_(machine.parallel_port.device) {}
 
 Alarm PortOutput::write(const PortWord& word) noexcept {
+  word_ = word;
+  return write_again();
+}
+
+Alarm PortOutput::write_again() noexcept {
+  const PortWord word = pins_.at(word_, tick_++);
   bool written = true;
   if (!last_ || word.control != last_->control) written = registers_->write_control(word.control);
   if (!last_ || word.data != last_->data) written = registers_->write_data(word.data) && written;
@@ -26,7 +32,8 @@ Alarm PortOutput::look() noexcept {
 void PortOutput::rest() noexcept {
   registers_->write_control(pins_.rest().control);
   registers_->write_data(pins_.rest().data);
-  last_ = pins_.rest();
+  word_ = pins_.rest();
+  last_ = word_;
 }
 
 Diagnostic PortOutput::diagnostic(Alarm alarm) const {

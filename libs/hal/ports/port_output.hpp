@@ -19,8 +19,10 @@ class PortOutput {
 
   const PortPins& pins() const noexcept { return pins_; }
 
-  /// Writes the registers that change. Alarm::port, or none. Realtime.
+  /// Writes the registers that change in the next base period. Alarm::port, or none. Realtime.
   Alarm write(const PortWord& word) noexcept;
+  /// The same with the last word once more: charge pump and the signal of the spindle go on.
+  Alarm write_again() noexcept;
 
   /// Reads the inputs, if any are used. Realtime.
   Alarm look() noexcept;
@@ -35,7 +37,9 @@ class PortOutput {
   std::unique_ptr<PortRegisters> registers_;
   PortPins pins_;
   std::string device_;
-  std::optional<PortWord> last_;
+  PortWord word_;                 // as it was given
+  std::int64_t tick_ = 0;         // the next base period
+  std::optional<PortWord> last_;  // as it was written
 };
 
 }  // namespace softcnc::hal

@@ -2,6 +2,7 @@
 #include "hal/ports/port_pins.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
@@ -68,7 +69,8 @@ PortPins::Input PortPins::input_of(int pin) {
   return entry ? Input{entry->bit, level_of_high(*entry, pin)} : Input{};
 }
 
-PortPins::PortPins(const Machine& machine) {
+PortPins::PortPins(const Machine& machine)
+    : max_rpm_(machine.spindle.max_rpm), pwm_levels_(machine.parallel_port.spindle_pwm_levels) {
   const ParallelPort& port = machine.parallel_port;
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (machine.axes[i].present)
@@ -78,10 +80,20 @@ PortPins::PortPins(const Machine& machine) {
   estop_ = input_of(port.estop_pin);
   limit_ = input_of(port.limit_pin);
   fault_ = input_of(port.fault_pin);
+  spindle_ = line_of(port.spindle_pin);
+  spindle_ccw_ = line_of(port.spindle_ccw_pin);
+  spindle_pwm_ = line_of(port.spindle_pwm_pin);
+  mist_ = line_of(port.mist_pin);
+  flood_ = line_of(port.flood_pin);
+  for (const auto& [name, output] : machine.outputs)
+    if (output.pin != 0)
+      outputs_.push_back({static_cast<unsigned>(std::abs(output.pin)), line_of(output.pin)});
   for (const auto& axis : lines_)
     for (const Line& line : axis) put(rest_, line, false);
   put(rest_, enable_, false);
   put(rest_, charge_pump_, false);
+  put(rest_, spindle_pwm_, false);
+  set(rest_, Outputs());
 }
 
 PortWord PortPins::enabled() const noexcept {
@@ -94,17 +106,29 @@ void PortPins::set(PortWord& word, int axis, Wire wire, bool high) const noexcep
   put(word, lines_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(wire)], high);
 }
 
+void PortPins::set(PortWord& word, const Outputs& outputs) const noexcept {
+  put(word, spindle_, outputs.spindle_rpm != 0);
+  put(word, spindle_ccw_, outputs.spindle_rpm < 0);
+  put(word, mist_, outputs.mist);
+  put(word, flood_, outputs.flood);
+  for (const Output& output : outputs_)
+    put(word, output.line, (outputs.pins >> output.pin & 1U) != 0);
+  const double part = max_rpm_ > 0 ? std::min(std::abs(outputs.spindle_rpm) / max_rpm_, 1.0) : 0;
+  word.speed = static_cast<std::uint16_t>(std::lround(part * pwm_levels_));
+}
+
+PortWord PortPins::at(PortWord word, std::int64_t tick) const noexcept {
+  put(word, charge_pump_, tick % 2 == 0);
+  put(word, spindle_pwm_, tick % pwm_levels_ < word.speed);
+  return word;
+}
+
 void PortPins::put(PortWord& word, const Line& line, bool high) noexcept {
   const auto level = [&](std::uint8_t bit, std::uint8_t of_high) {
     return static_cast<std::uint8_t>(high ? of_high : bit & ~of_high);
   };
   word.data = with(word.data, line.bit.data, level(line.bit.data, line.high.data));
   word.control = with(word.control, line.bit.control, level(line.bit.control, line.high.control));
-}
-
-void PortPins::flip(PortWord& word, const Line& line) noexcept {
-  word.data ^= line.bit.data;
-  word.control ^= line.bit.control;
 }
 
 bool PortPins::looks() const noexcept { return (estop_.bit | limit_.bit | fault_.bit) != 0; }

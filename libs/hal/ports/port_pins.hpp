@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hal/signals/step_edges.hpp"
 #include "motion/model/machine.hpp"
@@ -13,9 +14,11 @@
 
 namespace softcnc::hal {
 
-/// The bits of both registers that are written.
+/// The bits of both registers that are written, as far as they do not depend on the base period,
+/// and for how many base periods of its cycle the signal of the spindle's speed is high.
 struct PortWord {
   std::uint8_t data = 0, control = 0;
+  std::uint16_t speed = 0;
   bool operator==(const PortWord&) const = default;
 };
 
@@ -28,14 +31,16 @@ class PortPins {
  public:
   explicit PortPins(const Machine& machine);
 
-  /// Returns the word with steps low, drives disabled and charge pump low.
+  /// Returns the word with steps low, drives disabled, and all other outputs low.
   const PortWord& rest() const noexcept { return rest_; }
   /// The same with the drives enabled.
   PortWord enabled() const noexcept;
 
   /// Realtime.
   void set(PortWord& word, int axis, Wire wire, bool high) const noexcept;
-  void turn_charge_pump(PortWord& word) const noexcept { flip(word, charge_pump_); }
+  void set(PortWord& word, const Outputs& outputs) const noexcept;
+  /// Returns the word as the base period `tick`, from 0, has charge pump and spindle speed.
+  PortWord at(PortWord word, std::int64_t tick) const noexcept;
 
   /// Returns whether there is anything to see in the status register.
   bool looks() const noexcept;
@@ -55,10 +60,16 @@ class PortPins {
   static Line line_of(int pin);
   static Input input_of(int pin);
   static void put(PortWord& word, const Line& line, bool high) noexcept;
-  static void flip(PortWord& word, const Line& line) noexcept;
 
   std::array<std::array<Line, 2>, kAxes> lines_{};  // by axis and wire
-  Line enable_, charge_pump_;
+  Line enable_, charge_pump_, spindle_, spindle_ccw_, spindle_pwm_, mist_, flood_;
+  struct Output {
+    unsigned pin;
+    Line line;
+  };
+  std::vector<Output> outputs_;  // that programs set by number or name
+  double max_rpm_;
+  int pwm_levels_;
   Input estop_, limit_, fault_;
   PortWord rest_;
 };

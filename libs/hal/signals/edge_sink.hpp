@@ -19,6 +19,9 @@ class EdgeSink {
   /// what is wrong, if anything is; then finish() describes it. Realtime.
   virtual Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept = 0;
 
+  /// What is switched on from the end of the edges on that have been taken. Realtime.
+  virtual void switch_outputs(const Outputs& outputs) noexcept { static_cast<void>(outputs); }
+
   /// Is called where the machine is at rest and more edges may take long.
   virtual void rest() noexcept {}
 

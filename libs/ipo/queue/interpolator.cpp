@@ -108,6 +108,7 @@ void Interpolator::leave_block() noexcept {
   const Mark mark = block.at(s);
   last_.line = mark.source.line;
   last_.block = mark.number;
+  last_.outputs.pass(block.block);
   queue_.advance();
   enter_block();
 }

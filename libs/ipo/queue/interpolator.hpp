@@ -36,6 +36,9 @@ class Interpolator {
   void set_feed_override(double feed_override) noexcept { feed_override_ = feed_override; }
   double feed_override() const noexcept { return feed_override_; }
 
+  /// Sets what is switched on before the first setpoint.
+  void set_outputs(const Outputs& outputs) noexcept { last_.outputs = outputs; }
+
   /// Returns the planned time, s, that the next step may reach.
   double needs_until() const noexcept;
 

@@ -26,6 +26,7 @@ constexpr std::string_view name(SignalKind kind) noexcept {
 struct OutputPort {
   int number = 0;
   SignalKind kind = SignalKind::digital;
+  int pin = 0;  // of the parallel port, where it is digital; negative: inverted, 0: none
 };
 
 /// An input that programs read by M66, and the values that it has in simulation. The n-th M66 on a

@@ -9,6 +9,7 @@
 
 #include "motion/core/axes.hpp"
 #include "motion/model/limit.hpp"
+#include "motion/model/outputs.hpp"
 #include "motion/pulses/pulse.hpp"
 
 namespace softcnc {
@@ -36,6 +37,7 @@ struct Setpoint {
   double feed = 0;          // mm/s, as programmed, with its override; 0 in rapids and between moves
   Limit limit = Limit::stop;
   AxisVector position = AxisVector::Zero();  // mm, commanded
+  Outputs outputs{};                         // that are on, from here on
   /// For a method of reference pulses: those that lead here from the last setpoint, in order. They
   /// are valid until the next setpoint is made.
   std::span<const TimedStep> pulses{};

@@ -11,9 +11,9 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kSettlingTimes = 6;       // time constants of the position loop: to a part in 400
-constexpr double kLongestPause = 2;  // s
-constexpr double kNothing = 1e-6;    // mm: of a reach that is used up
+constexpr double kSettlingTimes = 6;  // time constants of the position loop: to a part in 400
+constexpr double kLongestPause = 2;   // s
+constexpr double kNothing = 1e-6;     // mm: of a range that is used up
 
 bool has_switch(const Axis& axis) noexcept { return axis.present && axis.home.search != 0; }
 
@@ -39,14 +39,14 @@ bool Homing::finds_all() const noexcept {
 // From leg to leg ---------------------------------------------------------------------------------
 
 std::optional<Homing::Leg> Homing::next(const AxisVector& place) {
-  count_reach(place);
+  count_range(place);
   place_ = place;
   while (!failure_) {
     if (group_.empty()) begin_group();
     if (group_.empty() || failure_) break;
     const bool seeks = phase_ == Phase::search || phase_ == Phase::latch;
     if (seeks && !all_found()) {
-      check_reach();
+      check_range();
       if (!failure_) return towards_switches(place);
     } else if (seeks) {
       check_closed();
@@ -79,7 +79,7 @@ void Homing::begin_search() {
   for (Seeker& seeker : group_) {
     const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
     seeker.speed = std::abs(seeker.home->search);
-    seeker.reach = axis.max - axis.min + 2 * seeker.home->back_off;
+    seeker.range = axis.max - axis.min + 2 * seeker.home->back_off;
     if (closed_[static_cast<std::size_t>(seeker.axis)])
       fail(seeker.axis, "is closed already where the search begins");
   }
@@ -92,14 +92,14 @@ void Homing::begin_latch() {
     seeker.first_edge = seeker.edge;
     seeker.found = false;
     seeker.speed = latch_speed(machine_, axis);
-    seeker.reach = 2 * seeker.home->back_off;
+    seeker.range = 2 * seeker.home->back_off;
   }
 }
 
 /// Takes off what the leg has moved towards the switches.
-void Homing::count_reach(const AxisVector& place) {
+void Homing::count_range(const AxisVector& place) {
   for (Seeker& seeker : group_)
-    seeker.reach -= (place[seeker.axis] - place_[seeker.axis]) * seeker.direction;
+    seeker.range -= (place[seeker.axis] - place_[seeker.axis]) * seeker.direction;
 }
 
 bool Homing::all_found() const noexcept {
@@ -111,7 +111,7 @@ bool Homing::all_found() const noexcept {
 Homing::Leg Homing::towards_switches(const AxisVector& place) {
   double time = std::numeric_limits<double>::infinity();
   for (const Seeker& seeker : group_)
-    if (!seeker.found) time = std::min(time, seeker.reach / seeker.speed);
+    if (!seeker.found) time = std::min(time, seeker.range / seeker.speed);
   Leg leg{place, 0};
   for (const Seeker& seeker : group_)
     if (!seeker.found) leg.to[seeker.axis] += seeker.direction * seeker.speed * time;
@@ -166,9 +166,9 @@ bool Homing::sees(const Feedback& feedback) {
 
 // What is wrong -----------------------------------------------------------------------------------
 
-void Homing::check_reach() {
+void Homing::check_range() {
   for (const Seeker& seeker : group_)
-    if (!seeker.found && seeker.reach < kNothing)
+    if (!seeker.found && seeker.range < kNothing)
       fail(seeker.axis, phase_ == Phase::search
                             ? "has not closed over the whole travel"
                             : "has not closed again within " + mm(2 * seeker.home->back_off));

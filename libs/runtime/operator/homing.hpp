@@ -52,7 +52,7 @@ class Homing {
     const HomeSwitch* home;
     double direction;  // towards the switch: -1 or 1
     double speed = 0;  // mm/s
-    double reach = 0;  // mm: how far it still may move towards the switch
+    double range = 0;  // mm: how far it still may move towards the switch
     bool found = false;
     double edge = 0;        // mm: where the switch has closed
     double first_edge = 0;  // mm: the same, in the search
@@ -61,11 +61,11 @@ class Homing {
   void begin_group();
   void begin_search();
   void begin_latch();
-  void count_reach(const AxisVector& place);
+  void count_range(const AxisVector& place);
   Leg towards_switches(const AxisVector& place);
   Leg off_switches(const AxisVector& place);
   bool all_found() const noexcept;
-  void check_reach();
+  void check_range();
   void check_closed();
   void check_edges();
   void check_open();

@@ -17,8 +17,11 @@ Block jog_block(const AxisVector& from, const AxisVector& to, double feed) {
   return {move};
 }
 
-ChannelOptions of_jog(const ChannelOptions& options, const AxisVector& place) {
+/// What is on stays on.
+ChannelOptions of_jog(const ChannelOptions& options, const AxisVector& place,
+                      const Outputs& outputs) {
   ChannelOptions of_jog;
+  of_jog.outputs = outputs;
   of_jog.state = options.state;
   of_jog.state.position = KeptPosition{place};
   return of_jog;
@@ -53,8 +56,8 @@ Status Operator::jog(const Jog& jog) {
 /// A feed of 0 stands for a rapid.
 void Operator::move_by_hand(const AxisVector& to, double feed) {
   if (!jog_) {
-    jog_.emplace(known_ && !homing_ ? machine_ : free_machine_, of_jog(options_, last_.position),
-                 backend_, sink_, report_);
+    jog_.emplace(known_ && !homing_ ? machine_ : free_machine_,
+                 of_jog(options_, last_.position, outputs_), backend_, sink_, report_);
     if (begun_) jog_->count_on_from(last_);
     jog_->set_rapid_override(rapid_override_);  // of the way back
     jog_end_ = last_.position;

@@ -94,7 +94,7 @@ Alarm RealtimePlayer::write_next() noexcept {
   hal::PortWord word;
   const Next next = words_.take(word);
   if (next == Next::item) return output_.write(word);
-  return next == Next::stands ? Alarm::none : Alarm::overrun;
+  return next == Next::stands ? output_.write_again() : Alarm::overrun;
 }
 
 Alarm RealtimePlayer::play_all() noexcept {

@@ -29,6 +29,7 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       outputs_(options.outputs),
       times_(options.worst_lines > 0 || options.line_times, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
+  interpolator_.set_outputs(options.outputs);
 }
 
 /// Plans what the next step may reach. False where an exception has broken that off.

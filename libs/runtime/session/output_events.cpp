@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/session/output_events.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace softcnc::runtime {
@@ -9,8 +10,14 @@ void settle_outputs(TimeSheet& sheet, BackendKind backend, Diagnostics& diagnost
   for (OutputEvent& event : sheet.outputs)
     if (event.source.file != 0) event.file = diagnostics.file(event.source.file);
   const bool moves_a_machine = backend != BackendKind::none && backend != BackendKind::sim;
-  if (sheet.outputs.empty() || !moves_a_machine) return;
-  const auto count = static_cast<std::int64_t>(sheet.outputs.size()) + sheet.outputs_left_out;
+  if (!moves_a_machine) return;
+  const auto is_passed_on = [backend](const OutputEvent& event) {
+    return backend == BackendKind::parport && event.port.pin != 0;
+  };
+  const auto passed_on = std::count_if(sheet.outputs.begin(), sheet.outputs.end(), is_passed_on);
+  if (passed_on == static_cast<std::ptrdiff_t>(sheet.outputs.size())) return;
+  const auto count =
+      static_cast<std::int64_t>(sheet.outputs.size()) - passed_on + sheet.outputs_left_out;
   diagnostics.report(Code::SC5050, {},
                      "the program sets outputs " + std::to_string(count) +
                          (count == 1 ? " time" : " times") + ", which backend " +
