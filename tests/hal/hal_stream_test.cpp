@@ -93,6 +93,35 @@ TEST_CASE("rows say where the axes are, whether the program runs, and their numb
             rows + "# 4 rows, xxh3 " + hash_hex(rows) + "\n");
 }
 
+TEST_CASE("rows have spindle, coolant and outputs where the machine file wants them", "[hal]") {
+  const test::Folder folder;
+  Machine machine = streamed(folder / "rows");
+  machine.control.period = 0.002;
+  machine.hal_stream.outputs = true;
+  machine.outputs["clamp"] = {63, SignalKind::digital, 0};
+  machine.outputs["door"] = {2, SignalKind::digital, 0};
+  machine.outputs["far"] = {64, SignalKind::digital, 0};
+  machine.outputs["level"] = {3, SignalKind::analog, 0};
+  auto backend = HalRows::open(machine);
+  REQUIRE(backend);
+  Setpoint setpoint = setpoint_at(0, 0, 0);
+  (*backend)->exchange(setpoint);
+  setpoint.outputs = {-1234.5, false, true, std::uint64_t{1} << 63 | 1U << 1};
+  (*backend)->exchange(setpoint);
+  setpoint.outputs = {6000, true, false, 1U << 2};
+  (*backend)->exchange(setpoint);
+  REQUIRE((*backend)->finish());
+  const auto lines = lines_of(test::read(folder / "rows"));
+  REQUIRE(lines.size() == 9);
+  CHECK(lines[1] == "# cfg=fffbufbbbb: x_mm y_mm z_mm runs row spindle_rpm mist flood door clamp");
+  CHECK(lines[2] == "0 0 0 1 1 0 0 0 0 0");
+  CHECK(lines[3] == "0 0 0 1 2 0 0 0 0 0");
+  CHECK(lines[4] == "0 0 0 1 3 -1234.5 0 1 0 1");
+  CHECK(lines[5] == "0 0 0 1 4 -1234.5 0 1 0 1");
+  CHECK(lines[6] == "0 0 0 1 5 6000 1 0 1 0");
+  CHECK(lines[7] == "0 0 0 0 6 6000 1 0 1 0");
+}
+
 TEST_CASE("a row comes every servo period, and only for axes there are", "[hal]") {
   const test::Folder folder;
   Machine machine = streamed(folder / "rows");

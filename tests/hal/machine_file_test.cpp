@@ -583,8 +583,8 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
               .starts_with("mill.toml:6:7: error: output.clamp.pin = -17 is the pin of "
                            "backend.parport.spindle_pin [SC7071]\n"));
     CHECK(refused_machine("[output.lamp]\nnumber = 0\nkind = 'analog'\npin = 1")
-              .starts_with("mill.toml:4:7: error: output.lamp.pin: an analog output has no pin "
-                           "[SC7027]\n"));
+              .starts_with("mill.toml:4:7: error: output.lamp.pin: only a digital output "
+                           "with a number up to 63 has a pin [SC7027]\n"));
     CHECK(parsed(port + "spindle_pwm_pin = -14").parallel_port.spindle_pwm_pin == -14);
     CHECK(parsed(port + "x_step_pin = 0").parallel_port.step_pin[0] == 0);
     CHECK(parsed("backend.parport.x_step_pin = 14").parallel_port.step_pin[0] == 14);

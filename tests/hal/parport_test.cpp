@@ -164,7 +164,7 @@ Machine with_outputs() {
   return machine;
 }
 
-constexpr std::uint32_t kClamp = 1U << 17;
+constexpr std::uint64_t kClamp = 1U << 4;
 
 /// The control register (pins 1, 14, 16, 17) and the data register behind these outputs.
 std::pair<int, int> levels(const Machine& machine, const Outputs& outputs) {
@@ -196,7 +196,7 @@ TEST_CASE("spindle, coolant and outputs are on their pins, until the end", "[hal
   CHECK(levels(machine, {0, true, false, 0}) == Levels(kOff, kEnabled | 0x80));
   CHECK(levels(machine, {0, false, true, 0}) == Levels(kOff & ~0x02, kEnabled));
   CHECK(levels(machine, {0, false, false, kClamp}) == Levels(kOff | 0x08, kEnabled));
-  CHECK(levels(machine, {0, false, false, 1U << 16}) == Levels(kOff, kEnabled));
+  CHECK(levels(machine, {0, false, false, 1U << 5}) == Levels(kOff, kEnabled));
 }
 
 TEST_CASE("the signal of the spindle is high for the part that its speed is of the largest",

@@ -53,6 +53,7 @@ class Sample:
         self.actual = tuple(float(pin) for pin in pins[9:12])
         self.error = max(abs(float(pin)) for pin in pins[12:15])
         self.beats, self.overruns = int(pins[15]), int(overruns)
+        self.spindle, self.coolant = float(pins[16]), (pins[17] == "True", pins[18] == "True")
 
 
 class Run:
@@ -145,8 +146,22 @@ def run_live(options, folder):
 
 def trace_rows(trace):
     with trace.open() as lines:
-        table = csv.DictReader(line for line in lines if not line.startswith("#"))
-        return [tuple(float(line[axis + "_mm"]) for axis in "xyz") for line in table]
+        return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def place_of(row):
+    return tuple(float(row[axis + "_mm"]) for axis in "xyz")
+
+
+def check_outputs(ran, rows):
+    """While it moves: M03 and M08 before the line of M04, which adds M07, and these behind it."""
+    turn = next(i for i, line in enumerate((HERE / "rows.nc").read_text().splitlines(), 1)
+                if line.startswith("M04"))
+    moving = [(s, int(row["line"]) < turn) for s, row in zip(ran, rows) if float(row["v_mm_s"]) > 0]
+    check(len(moving) > 5000 and all(
+        (s.spindle, s.coolant) == ((1200.0, (False, True)) if before else (-1200.0, (True, True)))
+        for s, before in moving), f"spindle and coolant are those of the program in {len(moving)} rows")
+    check((ran[-1].spindle, ran[-1].coolant) == (0.0, (False, False)), "and off at its end")
 
 
 def follows(samples):
@@ -215,7 +230,10 @@ def main():
         try_unread(options, folder)
         run, ended, trace, report = anew(lambda count: run_live(options, folder / f"live{count}"))
         check(ended.returncode == 0, f"softcnc ran: status {ended.returncode} {ended.stderr}")
-        compare(run.samples, trace_rows(trace), json.loads(report.read_text()))
+        rows = trace_rows(trace)
+        compare(run.samples, [place_of(row) for row in rows], json.loads(report.read_text()))
+        if options.program == HERE / "rows.nc":
+            check_outputs([s for s in run.samples if s.number > 0], rows)
         lines = written_rows(options, folder)
         broken = run_file(folder, "broken", lines[:len(lines) // 2], UNWATCHED)
         check(broken[-1].runs and not broken[-1].ok,

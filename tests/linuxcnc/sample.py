@@ -12,7 +12,7 @@ import time
 import hal
 
 KEY = 0x48534130  # of channel 0, as halsampler has it
-CONFIG = "fffbubfffffffffs"
+CONFIG = "fffbubfffffffffsfbb"
 ROW, RUNS, OK = 4, 3, 5
 LINGER = 0.3  # s behind the last row
 PATIENCE = 120.0

@@ -20,6 +20,8 @@ MODULES = ["drivers/parport/parport.ko", "drivers/parport/parport_pc.ko", "drive
 BASE_NS = 500000  # base_period_us of mill.toml
 DATA, CONTROL = 0, 2
 ENABLED, REST = 0x00, 0x04  # control register: pin 16 inverted
+FLOOD = 0x02  # control register: pin 14, which the port inverts, inverted
+SPINDLE = 0x80  # pin 9
 BITS = {"x_step": 1, "x_direction": 2, "y_step": 4, "y_direction": 8, "z_step": 16,
         "z_direction": 32}
 WRITE = re.compile(r"parallel_ioport_write .*addr (0x[0-9a-f]+) val (0x[0-9a-f]+)")
@@ -98,17 +100,18 @@ def edges_of(vcd):
 
 
 def expected_writes(vcd):
-    """Each edge with the first base period that is not before it; steps and directions are data."""
+    """Each edge with the first base period that is not before it; steps and directions are data.
+    Spindle and coolant are on from the first setpoint to the last."""
     by_tick = {}
     for time, name, high in edges_of(vcd):
         by_tick.setdefault(-(-time // BASE_NS), []).append((name, high))
     data = 0
-    writes = [(CONTROL, ENABLED), (DATA, data)]
+    writes = [(CONTROL, ENABLED), (DATA, data), (CONTROL, ENABLED | FLOOD), (DATA, SPINDLE)]
     for _, edges in sorted(by_tick.items()):
         for name, high in edges:
             data = data | BITS[name] if high else data & ~BITS[name]
-        writes.append((DATA, data))
-    return writes + [(CONTROL, REST), (DATA, 0)]
+        writes.append((DATA, data | SPINDLE))
+    return writes + [(CONTROL, ENABLED), (DATA, data), (CONTROL, REST), (DATA, 0)]
 
 
 def place_of(part, whole, begin=0):

@@ -1,5 +1,6 @@
 (lines, an arc and a helix, for tests/parport/compare.py)
-G21 G90 G17 F300
+G21 G90 G17 F300 S1000
+M03 M08
 G00 X1 Y-1.5 Z0.3
 G01 X3.07 Y0.02
 X3 Y0

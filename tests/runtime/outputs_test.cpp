@@ -96,7 +96,6 @@ TEST_CASE("each row has what is on from there on", "[runtime][outputs]") {
   machine.control.backend = BackendKind::none;
   machine.control.interpolation =
       GENERATE(Method::arc_length, Method::chords, Method::taylor1, Method::acc_dec_linear);
-  machine.outputs.begin()->second.pin = 5;
   const int number = machine.outputs.begin()->second.number;
   const std::string p = "P" + std::to_string(number);
   const auto backend = hal::open_backend(machine);
@@ -104,11 +103,11 @@ TEST_CASE("each row has what is on from there on", "[runtime][outputs]") {
   REQUIRE(session.feed("S1000 M03\nG01 X5 F3000\nM07\nM62 " + p + "\nX10\nM04\nM08\nX15\nM65 " + p +
                        "\nM09\nX20\nM05\nX25\nM30\n"));
   session.end();
-  constexpr std::uint32_t kPin5 = 1U << 5;
+  const std::uint64_t on = std::uint64_t{1} << number;
   const auto expected_at = [&](double x) -> Outputs {
     if (x < 5) return {1000, false, false, 0};
-    if (x < 10) return {1000, true, false, kPin5};
-    if (x < 15) return {-1000, true, true, kPin5};
+    if (x < 10) return {1000, true, false, on};
+    if (x < 15) return {-1000, true, true, on};
     if (x < 20) return {-1000, false, false, 0};
     return {0, false, false, 0};
   };
@@ -127,9 +126,12 @@ TEST_CASE("each row has what is on from there on", "[runtime][outputs]") {
 TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][outputs]") {
   TimeSheet sheet;
   sheet.outputs.resize(2);
-  const auto reported = [&](BackendKind backend) {
+  const auto reported = [&](BackendKind backend, bool streams_outputs = false) {
     Diagnostics diagnostics;
-    settle_outputs(sheet, backend, diagnostics);
+    Machine machine;
+    machine.control.backend = backend;
+    machine.hal_stream.outputs = streams_outputs;
+    settle_outputs(sheet, machine, diagnostics);
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics.all()) text += render(diagnostic);
     return text;
@@ -142,6 +144,8 @@ TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][ou
   CHECK(reported(BackendKind::hal_stream).find("backend hal-stream") != std::string::npos);
   sheet.outputs.resize(1);
   CHECK(reported(BackendKind::parport).find("outputs 1 time,") != std::string::npos);
+  CHECK(reported(BackendKind::hal_stream, true).empty());
+  CHECK_FALSE(reported(BackendKind::parport, true).empty());
   sheet.outputs[0].port.pin = -16;
   CHECK(reported(BackendKind::parport).empty());
   CHECK_FALSE(reported(BackendKind::stepdir).empty());

@@ -13,9 +13,17 @@
 
 namespace softcnc::hal {
 
+/// A digital output of the machine that rows carry.
+struct StreamedOutput {
+  int number;
+  std::string name;
+};
+
 /// A row: the position of every axis in mm, then whether the program runs (1; 0 at rest in its last
 /// row and before it waits for somebody), then the number of the row, from 1. For streamer that is
-/// cfg=fffbu. Lines that begin with '#' are comments.
+/// cfg=fffbu. With backend.hal-stream.outputs there follow the speed of the spindle in rpm
+/// (negative: counterclockwise), mist, flood, and the digital outputs by their number:
+/// cfg=fffbufbb, and a b for each. Lines that begin with '#' are comments.
 class StreamRows {
  public:
   /// Makes the rows; `lead` is how many bytes are reserved at once.
@@ -41,10 +49,14 @@ class StreamRows {
 
  private:
   void row(const AxisVector& position, bool runs) noexcept;
+  char* write_outputs(char* end) const noexcept;
 
   std::string period_, config_;
   std::vector<int> axes_;
-  int parts_;  // servo periods in a period
+  std::vector<StreamedOutput> digital_;
+  bool streams_outputs_;
+  Outputs outputs_;  // of the next row
+  int parts_;        // servo periods in a period
   bool started_ = false;
   FinePoint last_;
   std::int64_t rows_ = 0;

@@ -87,9 +87,9 @@ class Checks {
 
   void check(const std::string& name, const OutputPort& port) {
     const std::string table = "output." + name;
-    if (port.pin != 0 && port.kind == SignalKind::analog)
-      add(Code::SC7027, {table + ".pin", table + ".kind"},
-          table + ".pin: an analog output has no pin");
+    if (port.pin != 0 && !is_switched(port))
+      add(Code::SC7027, {table + ".pin", table + ".kind", table + ".number"},
+          table + ".pin: only a digital output with a number up to 63 has a pin");
   }
 
   void check(const std::string& name, const InputPort& port) {

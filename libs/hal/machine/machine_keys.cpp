@@ -30,6 +30,7 @@ constexpr double kLeastElectrical = 1e-6;  // V, A, V s/rad
 
 constexpr ValueRange at_least_0(double high) { return {0, high}; }
 constexpr ValueRange kPinRange{-17, 17};
+constexpr std::string_view kSwitchNames[] = {"off", "on"};
 constexpr ValueRange rate(double high) { return {kLeastRate, high}; }
 constexpr ValueRange rate_or_0(double high) { return {kLeastRate, high, true}; }
 constexpr ValueRange length_or_0(double high) { return {kLeastLength, high, true}; }
@@ -275,6 +276,9 @@ const MachineKey kMachineKeys[] = {
      TextKey{stream_file}},
     {"backend.hal-stream.patience_s", "s", "timeout for a blocked pipe, after which the run ends",
      NumberKey{in_part<&Machine::hal_stream, &HalStream::patience>, unconverted, unconverted, {0.001, 1e6}}},
+
+    {"backend.hal-stream.outputs", "", "whether each row ends with the speed of the spindle, mist, flood and the digital outputs of the machine up to number 63",
+     choice_in<&Machine::hal_stream, &HalStream::outputs>(kSwitchNames)},
 
     {"stock.x_mm", "mm", "length of the stock along X; 0: the extent of the cuts and the tool radius around them",
      NumberKey{stock_size<0>, unconverted, unconverted, length_or_0(1e5)}},

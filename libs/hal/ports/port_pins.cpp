@@ -86,8 +86,8 @@ PortPins::PortPins(const Machine& machine)
   mist_ = line_of(port.mist_pin);
   flood_ = line_of(port.flood_pin);
   for (const auto& [name, output] : machine.outputs)
-    if (output.pin != 0)
-      outputs_.push_back({static_cast<unsigned>(std::abs(output.pin)), line_of(output.pin)});
+    if (output.pin != 0 && is_switched(output))
+      outputs_.push_back({output.number, line_of(output.pin)});
   for (const auto& axis : lines_)
     for (const Line& line : axis) put(rest_, line, false);
   put(rest_, enable_, false);
@@ -111,8 +111,7 @@ void PortPins::set(PortWord& word, const Outputs& outputs) const noexcept {
   put(word, spindle_ccw_, outputs.spindle_rpm < 0);
   put(word, mist_, outputs.mist);
   put(word, flood_, outputs.flood);
-  for (const Output& output : outputs_)
-    put(word, output.line, (outputs.pins >> output.pin & 1U) != 0);
+  for (const Output& output : outputs_) put(word, output.line, outputs.is_on(output.number));
   const double part = max_rpm_ > 0 ? std::min(std::abs(outputs.spindle_rpm) / max_rpm_, 1.0) : 0;
   word.speed = static_cast<std::uint16_t>(std::lround(part * pwm_levels_));
 }

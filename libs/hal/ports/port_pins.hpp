@@ -64,7 +64,7 @@ class PortPins {
   std::array<std::array<Line, 2>, kAxes> lines_{};  // by axis and wire
   Line enable_, charge_pump_, spindle_, spindle_ccw_, spindle_pwm_, mist_, flood_;
   struct Output {
-    unsigned pin;
+    int number;
     Line line;
   };
   std::vector<Output> outputs_;  // that programs set by number or name

@@ -29,6 +29,12 @@ struct OutputPort {
   int pin = 0;  // of the parallel port, where it is digital; negative: inverted, 0: none
 };
 
+/// Returns whether it is one of the outputs that setpoints carry.
+constexpr bool is_switched(const OutputPort& port) noexcept {
+  constexpr int kLast = 63;
+  return port.kind == SignalKind::digital && port.number <= kLast;
+}
+
 /// An input that programs read by M66, and the values that it has in simulation. The n-th M66 on a
 /// line takes the n-th entry for that line; without one the input keeps its value.
 struct InputPort {

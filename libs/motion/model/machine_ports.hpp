@@ -41,6 +41,7 @@ struct ParallelPort {
 struct HalStream {
   std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
   double patience = 5.0;               // s: timeout for a blocked pipe
+  bool outputs = false;                // rows have spindle, coolant and digital outputs, too
 };
 
 }  // namespace softcnc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion/model/outputs.hpp"
 
-#include <cstdlib>
 #include <variant>
 
 #include "motion/model/block.hpp"
@@ -17,10 +16,10 @@ void switch_coolant(Outputs& outputs, const Action& action) noexcept {
   outputs.flood = code == kFlood || (outputs.flood && code == kMist);
 }
 
-void switch_pin(Outputs& outputs, const Action& action) noexcept {
-  if (action.port.pin == 0) return;
-  const std::uint32_t pin = 1U << static_cast<unsigned>(std::abs(action.port.pin));
-  outputs.pins = action.value != 0 ? outputs.pins | pin : outputs.pins & ~pin;
+void switch_digital(Outputs& outputs, const Action& action) noexcept {
+  if (!is_switched(action.port)) return;
+  const std::uint64_t bit = std::uint64_t{1} << action.port.number;
+  outputs.digital = action.value != 0 ? outputs.digital | bit : outputs.digital & ~bit;
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ void Outputs::pass(const Block& block) noexcept {
     case Action::Kind::coolant:
       return switch_coolant(*this, *action);
     case Action::Kind::output:
-      return switch_pin(*this, *action);
+      return switch_digital(*this, *action);
     case Action::Kind::tool:
     case Action::Kind::stop:
       return;

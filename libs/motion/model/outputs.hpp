@@ -11,7 +11,9 @@ struct Block;
 struct Outputs {
   double spindle_rpm = 0;  // positive: M03, clockwise
   bool mist = false, flood = false;
-  std::uint32_t pins = 0;  // of digital outputs on a parallel port that are on: bit n of pin n
+  std::uint64_t digital = 0;  // outputs that are on: bit n of number n, up to 63
+
+  bool is_on(int number) const noexcept { return (digital >> number & 1U) != 0; }
 
   /// The machine has passed a block.
   void pass(const Block& block) noexcept;

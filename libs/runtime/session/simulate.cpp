@@ -40,7 +40,7 @@ class Simulation {
         requests_(options.feed_override, options.events),
         channel_(reader, input, machine, options, requests_, diagnostics),
         backend_(backend),
-        backend_kind_(machine.control.backend),
+        machine_(machine),
         rows_(rows),
         watcher_(watcher),
         ahead_(ahead),
@@ -97,7 +97,7 @@ class Simulation {
   Requests requests_;
   Channel channel_;
   hal::Backend& backend_;
-  BackendKind backend_kind_;
+  const Machine& machine_;
   RowSink* rows_;
   Watcher* watcher_;
   SetpointQueue* ahead_;  // of setpoints in real time
@@ -315,7 +315,7 @@ void Simulation::keep_times() {
   const RunTimes& times = channel_.end_times();
   outcome_.time_by_limit = times.by_limit();
   outcome_.time_sheet = times.sheet();
-  settle_outputs(outcome_.time_sheet, backend_kind_, diagnostics_);
+  settle_outputs(outcome_.time_sheet, machine_, diagnostics_);
   if (line_times_) outcome_.line_times = times.lines().times();
   outcome_.loss_causes = times.causes().causes();
   outcome_.worst_lines =
