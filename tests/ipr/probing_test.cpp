@@ -73,6 +73,9 @@ TEST_CASE("the contact is reported in the work system and the units of the progr
 
 TEST_CASE("what comes of a probing move that finds nothing, or begins in contact",
           "[ipr][probing][code]") {
+  const std::string into =
+      "softcnc:2:1: warning: G01 leads the probe into [contact.block], 20 mm from where it begins "
+      "[SC2395]\n";
   const Machine machine = machine_with_block();
   const auto told = [&](const std::string& text, Dialect dialect = Dialect::linuxcnc) {
     std::string all;
@@ -85,12 +88,12 @@ TEST_CASE("what comes of a probing move that finds nothing, or begins in contact
   CHECK(told("G38.3 Z-50 F100\nM2\n").empty());
   CHECK(told("G31 Z-50. F100\nM30\n", Dialect::fanuc).empty());
   CHECK(told("G0 X20 Y30\nG1 Z-21 F100\nG38.2 Z-50\nM2\n") ==
-        "softcnc:3:1: error: G38.2 begins where the tool touches already [SC2393]\n");
+        into + "softcnc:3:1: error: G38.2 begins where the tool touches already [SC2393]\n");
   CHECK(told("G38.4 Z-50 F100\nM2\n") ==
         "softcnc:1:1: error: G38.4 begins without a contact already [SC2393]\n");
   CHECK(told("G0 X20 Y30\nG1 Z-21 F100\nG38.4 X25\nM2\n") ==
-        "softcnc:3:1: error: G38.4 comes to its end and still touches [SC2394]\n");
-  CHECK(told("G0 X20 Y30\nG1 Z-21 F100\nG38.5 X25\nX26\nM2\n") == "");
+        into + "softcnc:3:1: error: G38.4 comes to its end and still touches [SC2394]\n");
+  CHECK(told("G0 X20 Y30\nG1 Z-21 F100\nG38.5 X25\nX26\nM2\n") == into);
 }
 
 TEST_CASE("without bodies a probing move ends where it is programmed to, with a note",
@@ -173,4 +176,24 @@ TEST_CASE("contacts of a ball and a box are where their distance is the radius",
   }
   CHECK(contacts > 100);
   CHECK(releases > 20);
+}
+
+TEST_CASE("a probe that touches where it does not probe is reported once", "[ipr][probing]") {
+  Machine machine = machine_with_block();
+  const auto reported = [&](const std::string& text) {
+    std::string all;
+    for (const Diagnostic& found : interpret(text, machine).diagnostics) all += render(found);
+    return all;
+  };
+  CHECK(
+      reported("G0 X20 Y30\nG0 Z-20.5\nG0 Z0\nG0 Z-21\nM2\n") ==
+      "softcnc:2:1: warning: G00 leads the probe into [contact.block], 20 mm from where it begins "
+      "[SC2395]\n"
+      "    2 | G0 Z-20.5\n"
+      "      | ^~\n");
+  CHECK(reported("G0 Y30 Z-28\nG1 X100 F600\nM2\n").find("SC2395") != std::string::npos);
+  // along the faces, away from a contact, and with a tool that the machine file has: nothing
+  CHECK(reported("G0 X20 Y30\nG38.2 Z-50 F100\nG0 Z-10\nX100\nZ-28\nY17.9\nX0\nM2\n").empty());
+  machine.tools[3] = {1, 2, 0};
+  CHECK(reported("T3 M6\nG0 X20 Y30\nG0 Z-20.5\nM2\n").find("SC2395") == std::string::npos);
 }

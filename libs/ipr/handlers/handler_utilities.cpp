@@ -153,6 +153,7 @@ SourcePos place_of(const Task& task, char letter) {
   if (modal.placement &&
       !place_path(modal, task.out, {task.word.pos, {}, code_name(task.code)}, path))
     return;
+  if (!task.machine.contacts.empty()) warn_of_contact(task, path);
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) {

@@ -115,6 +115,8 @@ void restore_modes(Task& task);
 
 // probing.cpp
 void probe(Task& task);
+/// Reports a straight move that leads a probe into a body of the machine file: SC2395.
+void warn_of_contact(Task& task, const Path& path);
 
 // machine_codes.cpp: what is refused
 void refuse_thread(Task& task);

@@ -30,6 +30,10 @@ ProbeTip tip_of(const Task& task) {
   return {found->second.radius, found->second.length};
 }
 
+bool is_tool_of_machine(const Task& task) {
+  return task.machine.tools.contains(task.modal.state.loaded_tool.value_or(0));
+}
+
 std::vector<ContactBody> bodies_of(const Machine& machine) {
   std::vector<ContactBody> bodies;
   for (const auto& [name, body] : machine.contacts) bodies.push_back(body);
@@ -92,6 +96,18 @@ void probe_to(Task& task, const AxisVector& to) {
 }
 
 }  // namespace
+
+void warn_of_contact(Task& task, const Path& path) {
+  const auto* line = std::get_if<softcnc::Line>(&path);
+  if (line == nullptr || is_tool_of_machine(task)) return;
+  for (const auto& [name, body] : task.machine.contacts) {
+    const auto s = contact_along(*line, std::span(&body, 1), tip_of(task), ProbeAim::contact);
+    if (!s) continue;
+    return task.out.report_once(Code::SC2395, task.word.pos, "contact",
+                                code_name(task.code) + " leads the probe into [contact." + name +
+                                    "], " + number_text(*s) + " mm from where it begins");
+  }
+}
 
 void probe(Task& task) {
   if (task.code.group == Group::motion) begin_motion(task);
