@@ -6,8 +6,10 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "apps/recording_entries.hpp"
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
 #include "hal/machine/state_file.hpp"
@@ -65,6 +67,8 @@ TEST_CASE("commands that compute a run begin where the machine stands", "[apps][
   write(folder / "p.nc", part);
   REQUIRE(call("record -q " + (folder / "p.nc") + state + " -o " + (folder / "p.rec")).status == 0);
   CHECK(hal::load_state(file)->place() == AxisVector(10, 20, 0));  // it only rehearses
+  const auto meta = nlohmann::json::parse(entry(folder / "p.rec", "meta.json"));
+  CHECK(meta["start"]["position_mm"] == nlohmann::json({10, 20, 0}));
   REQUIRE(call("state set position X0" + state).status == 0);
   CHECK(call("replay -q " + (folder / "p.rec")).status == 0);
 }

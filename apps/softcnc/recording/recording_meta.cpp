@@ -155,6 +155,14 @@ Result<RecordingMeta> read(const Json& json) {
   return meta;
 }
 
+/// Where the machine stood, for people; state.toml is what a replay begins with.
+Json start_json(const MachineState& state) {
+  const AxisVector place = state.place();
+  Json start{{"position_mm", {place.x(), place.y(), place.z()}}, {"tool", nullptr}};
+  if (state.loaded_tool) start["tool"] = *state.loaded_tool;
+  return start;
+}
+
 }  // namespace
 
 std::string meta_json(const RecordingMeta& meta) {
@@ -170,7 +178,7 @@ std::string meta_json(const RecordingMeta& meta) {
               {"optional_stop", meta.options.interpreter.optional_stop},
               {"dialect", dialect_word(meta.options.interpreter)},
               {"format", name(meta.options.interpreter.format)}}},
-            {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
+            {"start", start_json(meta.options.state)}};
   if (meta.options.single_block) json["options"]["single_block"] = true;
   for (const runtime::FeedEvent& event : meta.options.events)
     json["options"]["at"].push_back(runtime::event_text(event));
