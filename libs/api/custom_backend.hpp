@@ -30,7 +30,7 @@ class CustomBackend final : public hal::Backend {
   void begin_again() noexcept override {
     if (backend_) backend_->begin_again();
   }
-  void rest() noexcept override {
+  void rest(const softcnc::Setpoint&) noexcept override {
     if (backend_) backend_->rest();
   }
   softcnc::AxisVector settle() const noexcept override { return last_; }

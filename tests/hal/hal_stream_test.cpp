@@ -119,7 +119,7 @@ TEST_CASE("rows have spindle, coolant and outputs where the machine file wants t
   CHECK(lines[4] == "0 0 0 1 3 -1234.5 0 1 0 1");
   CHECK(lines[5] == "0 0 0 1 4 -1234.5 0 1 0 1");
   CHECK(lines[6] == "0 0 0 1 5 6000 1 0 1 0");
-  CHECK(lines[7] == "0 0 0 0 6 6000 1 0 1 0");
+  CHECK(lines[7] == "0 0 0 0 6 0 0 0 0 0");  // whatever the program has left on
 }
 
 TEST_CASE("a row comes every servo period, and only for axes there are", "[hal]") {
@@ -172,10 +172,11 @@ TEST_CASE("before the program waits, HAL has all rows and is informed of it", "[
   (*backend)->exchange(setpoint_at(0, 0, 0));
   (*backend)->exchange(setpoint_at(1, 0, 0));
   CHECK(lines_of(fifo.read()).size() == 2);  // comments: rows are held back for a lead
-  (*backend)->rest();
+  (*backend)->rest(setpoint_at(1, 0, 0));
   const auto lines = lines_of(fifo.read());
-  REQUIRE(lines.size() == 3);
-  CHECK(lines[2] == "1 0 0 0 3");
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[2] == "1 0 0 1 3");
+  CHECK(lines[3] == "1 0 0 0 4");
 }
 
 TEST_CASE("nothing is lost in a pipe whose reader is slow", "[hal]") {

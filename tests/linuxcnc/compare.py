@@ -238,6 +238,8 @@ def main():
         broken = run_file(folder, "broken", lines[:len(lines) // 2], UNWATCHED)
         check(broken[-1].runs and not broken[-1].ok,
               "rows that break off latch the emergency stop")
+        check(broken[-1].spindle == 0 and not any(broken[-1].coolant),
+              "which switches spindle and coolant off")
         damaged = run_file(folder, "damaged", with_damage(lines, len(lines) // 2),
                            UNWATCHED)
         check(not is_slow([s.row for s in damaged]) and is_slow([s.limited for s in damaged]),

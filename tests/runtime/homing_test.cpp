@@ -218,6 +218,51 @@ TEST_CASE("a homing that is ended sets nothing", "[runtime][homing]") {
   desk.check_limits();
 }
 
+TEST_CASE("a homing that has begun in Alarm and is ended leads back there", "[runtime][homing]") {
+  Desk desk(with_switches(BackendKind::none, 0));
+  REQUIRE(desk.operated.start("G01 X100 F3000\nM30\n"));
+  desk.run(500);
+  REQUIRE(desk.operated.reset());
+  desk.settle();
+  desk.run(500);
+  REQUIRE(desk.operated.mode() == MachineMode::alarm);
+  REQUIRE(desk.operated.home());
+  desk.run(500);
+  const bool door = GENERATE(false, true);
+  REQUIRE((door ? desk.operated.door() : desk.operated.cancel()));
+  desk.run(500);
+  if (door) {
+    desk.operated.door_closed();
+    REQUIRE(desk.operated.resume());
+  }
+  CHECK(desk.operated.mode() == MachineMode::alarm);
+  CHECK_FALSE(desk.operated.line("G04 P0.1\n"));
+  REQUIRE(desk.operated.home());
+  desk.settle();
+  CHECK(desk.operated.mode() == MachineMode::idle);
+}
+
+TEST_CASE("a switch that is seen once a period is found as well", "[runtime][homing]") {
+  Machine machine = with_switches(BackendKind::none, 0);
+  machine.control.period = 0.01;
+  for (Axis& axis : machine.axes) {
+    axis.home.search = std::copysign(50, axis.home.search);
+    axis.home.latch = 0.2;
+  }
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int i = 0; i < 8; ++i) {
+    Desk desk(machine);
+    const AxisVector place(part(engine), part(engine), part(engine));
+    REQUIRE(desk.operated.jog({place, 50}));
+    desk.settle();
+    REQUIRE(desk.operated.home());
+    desk.settle();
+    CHECK(desk.messages.empty());
+    CHECK(desk.operated.mode() == MachineMode::idle);
+  }
+}
+
 TEST_CASE("homing needs switches, and a backend that reads them", "[runtime][homing]") {
   Machine none = with_switches(BackendKind::none, 0);
   for (Axis& axis : none.axes) axis.home.search = 0;

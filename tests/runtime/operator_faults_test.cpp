@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What stops a machine: emergency stop, limit switch, door, reset; and what is possible afterwards.
 #include <catch2/catch.hpp>
+#include <set>
+#include <sstream>
 #include <string>
 
+#include "support/files.hpp"
+#include "support/folder.hpp"
 #include "support/operated.hpp"
 
 using namespace softcnc;
@@ -201,4 +205,56 @@ TEST_CASE("a position that is set makes no pulses", "[runtime][operator]") {
   desk.settle();
   CHECK(desk.operated.mode() == MachineMode::idle);  // and no alarm
   CHECK(desk.backend->settle().x() == Approx(1).margin(0.003));
+}
+
+TEST_CASE("what a request switches off is off for the backend, too", "[runtime][operator]") {
+  const test::Folder folder;
+  Machine machine = machine_to_operate(BackendKind::hal_stream, 0);
+  machine.hal_stream.file = folder / "rows";
+  machine.hal_stream.outputs = true;
+  const auto request = GENERATE(0, 1, 2, 3, 4);
+  CAPTURE(request);
+  {
+    Desk desk(machine);
+    REQUIRE(desk.operated.start(kCut));
+    desk.run(500);
+    if (request == 0) REQUIRE(desk.operated.door());
+    if (request == 1) REQUIRE(desk.operated.reset());
+    if (request == 2) desk.operated.estop();
+    if (request == 3) REQUIRE(desk.operated.abort());
+    desk.run(500);
+    if (request == 3) REQUIRE(desk.operated.sleep());
+    REQUIRE(desk.backend->finish());
+  }
+  std::istringstream rows(bytes_of(folder / "rows"));
+  std::string line, last;
+  int on_behind_door = 0, number = 0;
+  while (std::getline(rows, line)) {
+    if (line.starts_with('#')) continue;
+    last = line;
+    if (request == 0 && ++number > 501 && !line.ends_with(" 0 0 0")) ++on_behind_door;
+  }
+  CHECK(last.ends_with(" 0 0 0"));
+  CHECK(on_behind_door == 0);
+}
+
+TEST_CASE("a jog in Hold leaves the spindle at the speed that its override gives",
+          "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  desk.operated.set_spindle_override(0.5);
+  REQUIRE(desk.operated.start(kCut));
+  const auto speeds = [&](int periods) {
+    std::set<double> all;
+    for (int i = 0; i < periods; ++i)
+      if (const auto row = desk.operated.step()) all.insert(row->setpoint.outputs.spindle_rpm);
+    return all;
+  };
+  desk.run(5);
+  CHECK(speeds(500) == std::set<double>{3000});
+  REQUIRE(desk.operated.hold());
+  CHECK(speeds(500) == std::set<double>{3000});
+  REQUIRE(desk.operated.jog({AxisVector(0, 2, 0), 50}));
+  CHECK(speeds(500) == std::set<double>{3000});
+  REQUIRE(desk.operated.resume());
+  CHECK(speeds(600) == std::set<double>{3000});
 }

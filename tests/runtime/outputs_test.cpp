@@ -123,6 +123,73 @@ TEST_CASE("each row has what is on from there on", "[runtime][outputs]") {
   CHECK(rows > 80);
 }
 
+namespace {
+
+/// What a backend gets, rests among it.
+class Listening final : public hal::Backend {
+ public:
+  Feedback exchange(const Setpoint& setpoint) noexcept override {
+    keep(setpoint);
+    return {setpoint.position, Alarm::none, -1};
+  }
+  void rest(const Setpoint& at) noexcept override {
+    keep(at);
+    rests.push_back(got.size() - 1);
+  }
+  AxisVector settle() const noexcept override { return got.back().position; }
+
+  std::vector<Setpoint> got;
+  std::vector<std::size_t> rests;  // their places among all
+
+ private:
+  void keep(const Setpoint& setpoint) {
+    got.push_back(setpoint);
+    got.back().pulses = {};
+    got.back().fine = {};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("where the program waits the machine rests, with what is on there",
+          "[runtime][outputs]") {
+  Machine machine = machine_with_outputs();
+  machine.control.interpolation = GENERATE(Method::arc_length, Method::dda, Method::taylor1);
+  const bool is_exact = machine.control.interpolation == Method::arc_length;
+  for (int i = 0; i < 20; ++i) {  // the instant of rest lies anywhere within a period
+    const double x = 3 + 0.000'37 * i;
+    CAPTURE(x, machine.control.interpolation);
+    Listening backend;
+    Session session(machine, {}, backend);
+    REQUIRE(session.feed("S1000 M03\nM08\nG01 X" + std::to_string(x) +
+                         " F600\nM05\nM09\nM00\nM04\nX6\nM03 S500\nT2 M06\nX9\nM30\n"));
+    session.end();
+    while (session.step()) continue;
+    REQUIRE(session.status() == SessionStatus::paused);
+    REQUIRE(backend.rests.size() == 1);
+    const Setpoint& rest = backend.got.back();
+    CHECK(rest.outputs == Outputs());
+    CHECK(session.outputs() == Outputs());
+    CHECK(rest.v == 0);
+    if (is_exact) CHECK(std::abs(rest.position.x() - x) < 1e-9);
+    CHECK(session.last().v == 0);
+    session.resume();
+    while (session.step()) continue;
+    REQUIRE(session.status() == SessionStatus::paused);
+    REQUIRE(backend.rests.size() == 2);
+    CHECK(backend.got[backend.rests[0] + 1].outputs == Outputs{-1000, false, false, 0});
+    if (is_exact) CHECK(std::abs(backend.got.back().position.x() - 6) < 1e-9);
+    session.resume();
+    while (session.step()) continue;
+    CHECK(session.status() == SessionStatus::done);
+    CHECK(std::abs(backend.got.back().position.x() - 9) < 0.003);
+    // no step is longer than the feed, and none of the acceleration too large, rests counted in
+    if (!is_exact) continue;
+    for (std::size_t k = 1; k < backend.got.size(); ++k)
+      REQUIRE((backend.got[k].position - backend.got[k - 1].position).norm() <= 0.01 * 1.001);
+  }
+}
+
 TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][outputs]") {
   TimeSheet sheet;
   sheet.outputs.resize(2);

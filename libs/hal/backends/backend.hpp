@@ -48,8 +48,9 @@ class Backend {
   /// that is not known.
   virtual std::array<double, kAxes> lag_misfit() const noexcept;
 
-  /// Is called where the machine is at rest and the next exchange may take long.
-  virtual void rest() noexcept {}
+  /// The machine comes to rest at a place within a period behind the last setpoint, and the next
+  /// exchange may take long.
+  virtual void rest(const Setpoint& at) noexcept { static_cast<void>(at); }
 
   /// The next setpoint says again where the machine stands, as the first one did.
   virtual void begin_again() noexcept {}

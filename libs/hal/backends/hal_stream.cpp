@@ -62,16 +62,20 @@ void HalRows::hand_on() noexcept {
 }
 
 /// HAL gets all there are.
-void HalRows::rest() noexcept {
+void HalRows::rest(const Setpoint& at) noexcept {
   if (!rows_.started()) return;
+  send(commands_(at));
   rows_.rest();
   hand_on();
 }
 
-/// First takes out the backlash, so that the next program begins as this one did.
+/// First takes out the backlash, so that the next program begins as this one did. However it has
+/// ended, nothing stays on.
 Status HalRows::finish() {
   while (const Setpoint* sent = status_ ? commands_.next_to_release() : nullptr) send(*sent);
-  rest();
+  rows_.switch_off();
+  rows_.rest();
+  hand_on();
   if (!out_) return {};
   if (status_) status_ = out_->write(rows_.tail());
   if (status_) status_ = out_->finish();

@@ -82,8 +82,12 @@ void StepDir::values(std::span<double> out) const noexcept {
 }
 
 /// Time goes on until the last step is long over.
-void StepDir::rest() noexcept {
+void StepDir::rest(const Setpoint& at) noexcept {
+  if (!started_) return;
+  last_ = at.position;
+  alarm_ = send(commands_(at));
   if (!out_) return;
+  out_->switch_outputs(at.outputs);
   const auto over = std::floor(static_cast<double>(edges_.end()) / period_) + 2;
   periods_ = std::max(periods_, static_cast<std::int64_t>(over));
   const std::int64_t ends = std::llround(static_cast<double>(periods_) * period_);

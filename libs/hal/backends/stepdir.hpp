@@ -33,7 +33,7 @@ class StepDir final : public Backend {
   void values(std::span<double> out) const noexcept override;
   AxisVector settle() const noexcept override { return position(); }
   AxisVector command_velocity_max() const noexcept override { return commands_.velocity_max(); }
-  void rest() noexcept override;
+  void rest(const Setpoint& at) noexcept override;
   Status finish() override;
 
  private:

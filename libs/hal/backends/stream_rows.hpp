@@ -37,6 +37,8 @@ class StreamRows {
   void add(const Setpoint& setpoint) noexcept;
   /// Signals to HAL that no more rows come for a while.
   void rest() noexcept;
+  /// The rows that follow have spindle, coolant and outputs off, until the next setpoint.
+  void switch_off() noexcept { outputs_ = {}; }
 
   /// Returns the rows that wait to be passed on; pass() forgets and counts them.
   std::string_view bytes() const noexcept { return bytes_; }

@@ -263,18 +263,25 @@ void MachineLoader::check_travel(int index) {
             ".max_mm = " + number_text(axis.max));
 }
 
-/// Behind its home switch, where homing ends, an axis must be within its travel.
+/// Behind its home switch, where homing ends, an axis must be within its travel, and far enough
+/// from the switch for a backend that sees it once a period.
 void MachineLoader::check_home(int index) {
+  constexpr double kPeriodsOff = 4;
   const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
   const HomeSwitch& home = axis.home;
   if (!axis.present || home.search == 0) return;
-  const double rest = home.place - std::copysign(home.back_off, home.search);
-  if (rest >= axis.min && rest <= axis.max) return;
   const std::string name = "axis." + axis_name(index);
-  clash(Code::SC7028,
-        {name + ".home.switch_mm", name + ".home.back_off_mm", name + ".home.search_mm_min"},
-        name + " rests at " + number_text(rest) + " after homing, beyond its travel from " +
-            number_text(axis.min) + " to " + number_text(axis.max));
+  const double rest = home.place - std::copysign(home.back_off, home.search);
+  if (rest < axis.min || rest > axis.max)
+    clash(Code::SC7028,
+          {name + ".home.switch_mm", name + ".home.back_off_mm", name + ".home.search_mm_min"},
+          name + " rests at " + number_text(rest) + " after homing, beyond its travel from " +
+              number_text(axis.min) + " to " + number_text(axis.max));
+  const double least = kPeriodsOff * std::abs(home.search) * loaded_.machine.control.period;
+  if (home.back_off < least)
+    clash(Code::SC7028, {name + ".home.back_off_mm", name + ".home.search_mm_min"},
+          name + ".home.back_off_mm = " + number_text(home.back_off) +
+              " is less than the search covers in four periods, " + number_text(least) + " mm");
 }
 
 /// Where the first of several keys was given that was given at all.

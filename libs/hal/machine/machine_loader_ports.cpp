@@ -138,6 +138,9 @@ void MachineLoader::check_parallel_port() {
   check_pin("spindle_pin", port.spindle_pin, is_output_pin);
   check_pin("spindle_ccw_pin", port.spindle_ccw_pin, is_output_pin);
   check_pin("spindle_pwm_pin", port.spindle_pwm_pin, is_output_pin);
+  if (port.spindle_pwm_pin != 0 && loaded_.machine.spindle.max_rpm == 0)
+    clash(Code::SC7071, {"backend.parport.spindle_pwm_pin", "spindle.max_rpm", "control.backend"},
+          "backend.parport.spindle_pwm_pin needs a spindle.max_rpm, of which speeds are parts");
   check_pin("mist_pin", port.mist_pin, is_output_pin);
   check_pin("flood_pin", port.flood_pin, is_output_pin);
   for (const auto& [name, output] : loaded_.machine.outputs)

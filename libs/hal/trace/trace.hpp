@@ -42,7 +42,7 @@ class TraceWriter {
 
   /// Is called where the machine is at rest and the next row may take long: before the program
   /// waits for a person.
-  virtual void rest() noexcept {}
+  virtual void rest(const Setpoint& at) noexcept { static_cast<void>(at); }
 
   /// Writes what there is, for a reader that waits, where the format allows it.
   virtual void flush() noexcept = 0;

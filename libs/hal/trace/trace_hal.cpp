@@ -22,7 +22,11 @@ class HalTrace final : public TraceWriter {
     send(commands_(setpoint));
   }
 
-  void rest() noexcept override { rows_.rest(); }
+  void rest(const Setpoint& at) noexcept override {
+    if (!rows_.started()) return;
+    send(commands_(at));
+    rows_.rest();
+  }
 
   void flush() noexcept override {
     if (ok()) status_ = out_->write(rows_.bytes());
@@ -34,7 +38,8 @@ class HalTrace final : public TraceWriter {
 
   Status finish() override {
     while (const Setpoint* sent = ok() ? commands_.next_to_release() : nullptr) send(*sent);
-    rest();
+    rows_.switch_off();
+    rows_.rest();
     flush();
     if (ok()) status_ = out_->write(rows_.tail());
     if (ok()) status_ = out_->finish();

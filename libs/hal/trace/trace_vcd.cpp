@@ -25,7 +25,7 @@ class EdgeTrace final : public TraceWriter {
   void row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) noexcept override {
     if (ok_) ok_ = drives_.exchange(setpoint).alarm == Alarm::none;
   }
-  void rest() noexcept override { drives_.rest(); }
+  void rest(const Setpoint& at) noexcept override { drives_.rest(at); }
   void flush() noexcept override {}
   void add_program_hash(const std::string& /*hash*/) override {}
   bool ok() const noexcept override { return ok_; }

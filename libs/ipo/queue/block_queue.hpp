@@ -102,7 +102,13 @@ class BlockQueue {
     for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
   }
 
-  /// Calls visit(block) for those and for what lies ahead.
+  /// Calls visit(block) for the present block and what lies ahead.
+  template <typename Visit>
+  void for_each_ahead(Visit&& visit) const {
+    for (std::size_t i = current_; i < blocks_.size(); ++i) visit(blocks_[i]);
+  }
+
+  /// Calls visit(block) for what is in the queue, passed or not.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const TimedBlock& block : blocks_) visit(block);

@@ -85,6 +85,36 @@ void Interpolator::go_back_to(const Setpoint& setpoint) noexcept {
   done_ = false;
 }
 
+Setpoint Interpolator::rest_at(double t, int number) noexcept {
+  const bool is_exact = control_.interpolation == Method::arc_length;
+  pulses_.clear();
+  Setpoint at = last_;
+  at.v = at.a = at.feed = at.advance = 0;
+  at.limit = Limit::stop;
+  at.pulses = {};
+  at.fine = {};
+  if (periods_ == 0) return at;
+  if (!follows_time(control_.interpolation)) {
+    queue_.for_each_ahead([&](const TimedBlock& timed) {
+      if (timed.block.number < number) at.outputs.pass(timed.block);
+    });
+    return at;
+  }
+  const double part = control_.period / static_cast<double>(fine_.size());
+  for (std::size_t k = 1; is_exact && k <= fine_.size(); ++k) {
+    go_to(std::min(time() + static_cast<double>(k) * part, t), number);
+    fine_[k - 1] = point();
+  }
+  go_to(t, number);
+  const FinePoint rest = point();
+  at.s = rest.s;
+  at.position = is_exact ? rest.position : last_.position;
+  at.outputs = last_.outputs;
+  at.pulses = pulses_;
+  if (is_exact) at.fine = fine_;
+  return at;
+}
+
 void Interpolator::enter_block() noexcept {
   t_ = 0;
   hint_ = 0;
@@ -170,9 +200,11 @@ std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
   return fine_;
 }
 
-void Interpolator::go_to(double t) noexcept {
+/// Leaves no block from the number `end` on.
+void Interpolator::go_to(double t, int end) noexcept {
   const double same = tuning::queue::kSameInstant * control_.period;
-  while (!queue_.empty() && t >= queue_.front().t_end() - same) {
+  while (!queue_.empty() && queue_.front().block.number < end &&
+         t >= queue_.front().t_end() - same) {
     const Profile& profile = queue_.front().profile;
     walk_pulses(t, profile.at(profile.duration(), hint_).s);
     leave_block();

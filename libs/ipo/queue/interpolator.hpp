@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -54,6 +55,12 @@ class Interpolator {
   /// from there on. Only for methods that follow the plan to the instant. Planning side.
   void go_back_to(const Setpoint& setpoint) noexcept;
 
+  /// Goes on to where the machine rests at the instant `t` of the plan, s, before the block
+  /// `number`, and returns that place, with all that is switched before it: within a period behind
+  /// the last setpoint, and no setpoint of its own. Methods that go their own way rest at their
+  /// last setpoint. Planning side.
+  Setpoint rest_at(double t, int number) noexcept;
+
   /// Makes no setpoint any more: the last one rests at the end of the queue.
   void end() noexcept { done_ = true; }
 
@@ -75,7 +82,7 @@ class Interpolator {
   void enter_block() noexcept;
   void leave_block() noexcept;
   void follow_time() noexcept;
-  void go_to(double t) noexcept;
+  void go_to(double t, int end = std::numeric_limits<int>::max()) noexcept;
   void look_between() noexcept;
   FinePoint point() noexcept;
   FinePoint ahead() const noexcept;

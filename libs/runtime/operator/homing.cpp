@@ -106,13 +106,23 @@ bool Homing::all_found() const noexcept {
   return std::all_of(group_.begin(), group_.end(), [](const Seeker& s) { return s.found; });
 }
 
+/// How long the slowest drive of the group takes to come to rest behind its command, s.
+double Homing::settling_time() const noexcept {
+  double time = 0;
+  for (const Seeker& seeker : group_) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
+    time = std::max(time, std::min(kSettlingTimes / axis.drive.kv, kLongestPause));
+  }
+  return time;
+}
+
 /// All that have not been found move at once, each at its own speed, until one of them can go no
 /// further.
 Homing::Leg Homing::towards_switches(const AxisVector& place) {
   double time = std::numeric_limits<double>::infinity();
   for (const Seeker& seeker : group_)
     if (!seeker.found) time = std::min(time, seeker.range / seeker.speed);
-  Leg leg{place, 0};
+  Leg leg{place, 0, settling_time()};
   for (const Seeker& seeker : group_)
     if (!seeker.found) leg.to[seeker.axis] += seeker.direction * seeker.speed * time;
   leg.feed = (leg.to - place).norm() / time;
@@ -121,14 +131,12 @@ Homing::Leg Homing::towards_switches(const AxisVector& place) {
 
 /// Rests there until the tables have come to rest, too.
 Homing::Leg Homing::off_switches(const AxisVector& place) {
-  Leg leg{place, 0};
+  Leg leg{place, 0, settling_time()};
   double time = 0;
   for (const Seeker& seeker : group_) {
-    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
     leg.to[seeker.axis] = seeker.edge - seeker.direction * seeker.home->back_off;
     time = std::max(
         time, std::abs(leg.to[seeker.axis] - place[seeker.axis]) / std::abs(seeker.home->search));
-    leg.pause = std::max(leg.pause, std::min(kSettlingTimes / axis.drive.kv, kLongestPause));
   }
   leg.feed = (leg.to - place).norm() / time;
   return leg;
@@ -183,7 +191,8 @@ void Homing::check_closed() {
 void Homing::check_edges() {
   for (const Seeker& seeker : group_) {
     const double apart = std::abs(seeker.edge - seeker.first_edge);
-    if (apart > seeker.home->back_off / 2)
+    const double fineness = std::abs(seeker.home->search) * machine_.control.period;
+    if (apart > seeker.home->back_off / 2 + fineness)
       fail(seeker.axis, "has closed at two places, " + mm(apart) + " apart");
   }
 }

@@ -20,9 +20,9 @@ class Homing {
  public:
   /// A straight line from where the machine rests, and how long it rests behind it.
   struct Leg {
-    AxisVector to;     // mm
-    double feed;       // mm/s along the path
-    double pause = 0;  // s
+    AxisVector to;  // mm
+    double feed;    // mm/s along the path
+    double pause;   // s
   };
 
   explicit Homing(const Machine& machine);
@@ -62,6 +62,7 @@ class Homing {
   void begin_search();
   void begin_latch();
   void count_range(const AxisVector& place);
+  double settling_time() const noexcept;
   Leg towards_switches(const AxisVector& place);
   Leg off_switches(const AxisVector& place);
   bool all_found() const noexcept;

@@ -153,12 +153,14 @@ void Operator::settle_jog() {
   if (mode_ == MachineMode::alarm && !rests_in_) switch_.reset();
   if (rests_in_) return ended();
   if (homing_) return home_on();
-  if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = MachineMode::idle;
+  if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = mode_at_rest();
   if (returning_) go_on();
 }
 
 void Operator::settle_program() {
   if (session_->status() == SessionStatus::paused && !rests_in_) {
+    last_ = session_->last();
+    follow_outputs();
     if (mode_ == MachineMode::run) mode_ = MachineMode::hold;
     return;
   }
@@ -170,7 +172,7 @@ void Operator::settle_program() {
     session_->go_on();
   session_->resume();  // where nothing runs, nothing is held
   running_ = is_program_ = false;
-  mode_ = mode_ == MachineMode::door ? mode_ : idle_or_door();
+  mode_ = mode_ == MachineMode::door ? mode_ : mode_at_rest();
 }
 
 MachineState Operator::state() {

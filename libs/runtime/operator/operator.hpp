@@ -55,7 +55,8 @@ class Operator {
   /// Searches the home switches of all axes that have one, in the order of the machine file, and
   /// sets the machine coordinates by them; from then on the position is known, if every axis has
   /// one. Where a switch is not where it should be, the machine comes to rest and Alarm follows
-  /// (SC5090 in `report`); where homing is ended, nothing is set. Errors: SC5080.
+  /// (SC5090 in `report`); where homing is ended, nothing is set, and Alarm stays where it has
+  /// begun there. Errors: SC5080.
   Status home();
   /// Sets the origin of the active work system so that the machine stands at `value` mm there.
   Status touch_off(int axis, double value);
@@ -140,9 +141,10 @@ class Operator {
   void pause_motion();
   std::int64_t periods_to_speed() const noexcept;
   void go_on();
-  MachineMode idle_or_door() const noexcept {
-    return door_open_ ? MachineMode::door : MachineMode::idle;
+  MachineMode mode_at_rest() const noexcept {
+    return door_open_ ? MachineMode::door : locked_ ? MachineMode::alarm : MachineMode::idle;
   }
+  void send_outputs() noexcept;
   void end_in(MachineMode mode);
   void ended();
   std::optional<Row> step_of(Session& session);
@@ -164,6 +166,7 @@ class Operator {
   std::optional<Session> judged_;            // in Check
   AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
   std::optional<Homing> homing_;             // its legs are jogs
+  bool locked_ = false;                      // it has begun in Alarm, and not come to its end
   OpenText open_;
   Setpoint last_;
   bool begun_ = false;            // there is a last row

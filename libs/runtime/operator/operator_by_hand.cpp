@@ -84,6 +84,7 @@ Status Operator::home() {
     return refusal("home: the backend has no inputs for home switches");
   open_.forget();
   homing_.emplace(machine_);
+  locked_ = mode_ == MachineMode::alarm;
   mode_ = MachineMode::home;
   home_on();
   return {};
@@ -102,9 +103,10 @@ void Operator::home_on() {
     mode_ = MachineMode::alarm;
     return;
   }
+  locked_ = false;
   known_ = known_ || homing.finds_all();
   stand_at(homing.found_place());
-  mode_ = idle_or_door();
+  mode_ = mode_at_rest();
 }
 
 }  // namespace softcnc::runtime

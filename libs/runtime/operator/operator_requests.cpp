@@ -36,10 +36,11 @@ Status Operator::resume() {
   if (mode_ == MachineMode::door) {
     if (door_open_) return refusal("resume: the door is open");
     outputs_ = before_door_;
+    session_->switch_on();
   }
   if (!running_) {
     session_->resume();
-    mode_ = MachineMode::idle;
+    mode_ = mode_at_rest();
     return {};
   }
   if (mode_ == MachineMode::door) waits_ = periods_to_speed();
@@ -80,13 +81,15 @@ void Operator::end_in(MachineMode mode) {
 }
 
 void Operator::ended() {
-  if (std::exchange(resets_, false)) outputs_ = programmed_ = {};
+  const bool resets = std::exchange(resets_, false);
+  if (resets) outputs_ = programmed_ = {};
+  if (resets) send_outputs();
   if (mode_ == MachineMode::door) programmed_ = {};  // off they stay
   open_.forget();
   waits_ = 0;
   begin_session(state());
   const MachineMode mode = *std::exchange(rests_in_, std::nullopt);
-  mode_ = mode == MachineMode::idle ? idle_or_door() : mode;
+  mode_ = mode == MachineMode::idle ? mode_at_rest() : mode;
 }
 
 Status Operator::abort() {
@@ -110,6 +113,9 @@ Status Operator::door() {
   pause_motion();
   returning_ = false;
   before_door_ = std::exchange(outputs_, {});
+  session_->switch_off();
+  if (jog_) jog_->switch_off();
+  if (!moving()) send_outputs();
   mode_ = MachineMode::door;
   return {};
 }
@@ -118,7 +124,8 @@ Status Operator::unlock() {
   if (const auto answer = answered(Request::unlock)) return *answer;
   if (jog_) return refusal("unlock: a jog has not ended yet");
   if (switch_) return refusal("unlock: jog away from the limit switch first");
-  mode_ = idle_or_door();
+  locked_ = false;
+  mode_ = mode_at_rest();
   return {};
 }
 
@@ -126,7 +133,7 @@ Status Operator::check() {
   if (const auto answer = answered(Request::check)) return *answer;
   judged_.reset();
   if (mode_ == MachineMode::check) {
-    mode_ = idle_or_door();
+    mode_ = mode_at_rest();
     return {};
   }
   mode_ = MachineMode::check;
@@ -139,9 +146,17 @@ Status Operator::sleep() {
   if (const auto answer = answered(Request::sleep)) return *answer;
   if (jog_) return refusal("sleep: a jog has not ended yet");
   outputs_ = programmed_ = {};
+  send_outputs();
   begin_session(state());
   mode_ = MachineMode::sleep;
   return {};
+}
+
+/// Where no row follows, the backend learns by itself what is on now.
+void Operator::send_outputs() noexcept {
+  if (!begun_) return;
+  last_.outputs = outputs_;
+  backend_.rest(last_);
 }
 
 /// Drives that have lost their power have stopped short of the last setpoint.
@@ -151,9 +166,11 @@ void Operator::estop() {
   const MachineState before = state();
   if (is_measured) last_.position = actual.back();
   last_.v = last_.a = 0;
+  outputs_ = programmed_ = {};
+  send_outputs();
   backend_.begin_again();
   known_ = known_ && is_measured;
-  outputs_ = programmed_ = {};
+  locked_ = false;
   jog_.reset();
   homing_.reset();
   judged_.reset();

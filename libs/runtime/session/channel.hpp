@@ -57,6 +57,12 @@ class Channel {
   /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;
   void resume() noexcept { feeder_.pass_pause(); }
+  /// Returns where the machine rests at that pause, with what is on there, as a setpoint that is no
+  /// row: the last row may lie up to a period before it. To be called once for each pause.
+  Setpoint rest_at_pause() noexcept {
+    const Pause& pause = feeder_.pauses().front();
+    return interpolator_.rest_at(pause.time, pause.block.number);
+  }
 
   /// Returns whether there is no next setpoint until more of the program comes.
   bool waiting() const noexcept {

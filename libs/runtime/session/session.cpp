@@ -70,7 +70,8 @@ void Session::begin_again(ipr::Memory* memory) {
     options_.state = memory->modal.state;
   }
   options_.state.position = KeptPosition{last_.position};
-  options_.outputs = channel_->outputs();
+  options_.outputs = programmed_outputs();
+  at_pause_.reset();
   before_ = last_;
   before_.period += 1;
   before_it_ = lines_;
@@ -167,14 +168,22 @@ std::optional<Row> Session::step() {
 /// Whether the machine stands at a pause that has not been answered.
 bool Session::is_to_pause() noexcept {
   if (requests_.stops() || !channel_->pause_ahead()) return false;
-  if (status_ != SessionStatus::paused) backend_.rest();
-  status_ = SessionStatus::paused;
+  if (std::exchange(status_, SessionStatus::paused) == SessionStatus::paused) return true;
+  Setpoint at = counted_on(channel_->rest_at_pause());
+  at_pause_ = at.outputs;
+  at.outputs = off_ ? Outputs() : outputs();
+  backend_.rest(at);
+  at.pulses = {};
+  at.fine = {};
+  last_ = at;
   return true;
 }
 
 Row Session::exchange(const Setpoint& setpoint) {
   status_ = SessionStatus::running;
-  const Setpoint row = counted_on(setpoint);
+  at_pause_.reset();
+  Setpoint row = counted_on(setpoint);
+  row.outputs = off_ ? Outputs() : overridden(setpoint.outputs);
   const Feedback feedback = backend_.exchange(row);
   if (feedback.alarm != Alarm::none) status_ = SessionStatus::alarm;
   backend_.values(std::span(values_).first(backend_.columns().size()));
@@ -205,8 +214,7 @@ void Session::set_switches(bool block_skip, bool optional_stop, bool single_bloc
   channel_->feeder().set_switches(block_skip, optional_stop, single_block);
 }
 
-Outputs Session::outputs() const noexcept {
-  Outputs outputs = channel_->outputs();
+Outputs Session::overridden(Outputs outputs) const noexcept {
   const double programmed = std::abs(outputs.spindle_rpm);
   if (programmed == 0 || channel_->keeps_spindle_speed()) return outputs;
   const Spindle& spindle = machine_.spindle;

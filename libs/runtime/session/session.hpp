@@ -115,11 +115,18 @@ class Session {
   MachineState state();
   /// Returns the length of the unit in which the lines that follow are read, mm.
   double mm_per_unit() const noexcept { return channel_->feeder().memory().modal.mm_per_unit; }
-  /// Returns what is switched on at the place of the last row, at the speed that the override of
-  /// the spindle leaves.
-  Outputs outputs() const noexcept;
+  /// Returns what is switched on at the place of the last row, or of the pause, at the speed that
+  /// the override of the spindle leaves. Rows have the same.
+  Outputs outputs() const noexcept { return overridden(programmed_outputs()); }
   /// Returns the same at the speed that is programmed.
-  const Outputs& programmed_outputs() const noexcept { return channel_->outputs(); }
+  const Outputs& programmed_outputs() const noexcept {
+    return at_pause_ ? *at_pause_ : channel_->outputs();
+  }
+  /// Rows have everything off, whatever the program has switched, until switch_on().
+  void switch_off() noexcept { off_ = true; }
+  void switch_on() noexcept { off_ = false; }
+  /// Returns the last row, without pulses and fine points; at a pause, where the machine rests.
+  const Setpoint& last() const noexcept { return last_; }
   /// Returns where the last row was, mm; before the first one, where the session begins.
   const AxisVector& position() const noexcept { return last_.position; }
 
@@ -129,6 +136,7 @@ class Session {
   SessionStatus end_of_motion() noexcept;
   Setpoint counted_on(Setpoint setpoint) const noexcept;
   bool is_to_pause() noexcept;
+  Outputs overridden(Outputs programmed) const noexcept;
   Row exchange(const Setpoint& setpoint);
 
   const Machine& machine_;
@@ -144,10 +152,12 @@ class Session {
   std::optional<Contour> contour_;
   std::vector<double> values_;
   double spindle_override_ = 1;
-  bool fed_ = false;      // all there is
-  bool rests_ = false;    // where what has been fed ends
-  double planned_s_ = 0;  // mm: of the last row
-  int pushed_ = 0;        // the number of the last block that was fed
+  std::optional<Outputs> at_pause_;  // as programmed
+  bool off_ = false;                 // in the rows
+  bool fed_ = false;                 // all there is
+  bool rests_ = false;               // where what has been fed ends
+  double planned_s_ = 0;             // mm: of the last row
+  int pushed_ = 0;                   // the number of the last block that was fed
   Setpoint last_;
   Setpoint before_;    // go_on(): the last row, from which periods, lengths and blocks count on
   int lines_ = 0;      // that have been fed,

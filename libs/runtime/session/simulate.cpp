@@ -125,8 +125,9 @@ class Simulation {
 void Simulation::wait() {
   while (const Pause* pause = channel_.pause_ahead()) {
     if (!play_all()) return;
-    backend_.rest();
-    if (rows_) rows_->rest();
+    const Setpoint at = channel_.rest_at_pause();
+    backend_.rest(at);
+    if (rows_) rows_->rest(at);
     if (watcher_) watcher_->pause(*pause);
     channel_.resume();
   }

@@ -21,8 +21,8 @@ class RowSink {
   virtual RowObserver* observer() { return nullptr; }
   /// Returns the figures of the columns that are computed from the path of the rows.
   virtual std::vector<ColumnFigures> column_figures() const { return {}; }
-  /// The machine stands before the program waits for a person.
-  virtual void rest() {}
+  /// The machine rests there before the program waits for a person.
+  virtual void rest(const Setpoint& at) { static_cast<void>(at); }
   /// Passes on what there is: the next row may take long.
   virtual void flush() {}
 };

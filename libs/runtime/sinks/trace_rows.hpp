@@ -30,8 +30,8 @@ class TraceRows final : public RowSink {
     return columns_ ? columns_->figures() : std::vector<ColumnFigures>();
   }
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
-  void rest() override {
-    if (writer_) writer_->rest();
+  void rest(const Setpoint& at) override {
+    if (writer_) writer_->rest(at);
   }
   void flush() override {
     if (writer_) writer_->flush();
