@@ -13,6 +13,7 @@
 #include "runtime/session/output_events.hpp"
 #include "runtime/session/session.hpp"
 #include "runtime/session/simulate.hpp"
+#include "support/folder.hpp"
 
 using namespace softcnc;
 using namespace softcnc::runtime;
@@ -187,6 +188,45 @@ TEST_CASE("where the program waits the machine rests, with what is on there",
     if (!is_exact) continue;
     for (std::size_t k = 1; k < backend.got.size(); ++k)
       REQUIRE((backend.got[k].position - backend.got[k - 1].position).norm() <= 0.01 * 1.001);
+  }
+}
+
+TEST_CASE("rows for HAL keep the limits where the program waits", "[runtime][outputs]") {
+  const test::Folder folder;
+  Machine machine = machine_with_outputs();
+  machine.control.backend = BackendKind::hal_stream;
+  machine.control.period = GENERATE(0.001, 0.004, 0.01);
+  machine.hal_stream.file = folder / "rows";
+  const double axis_jerk = GENERATE(0.0, 20'000.0);
+  for (Axis& axis : machine.axes) axis.jerk = axis_jerk;
+  {
+    const auto backend = hal::open_backend(machine);
+    Session session(machine, {}, **backend);
+    std::string text = "G01 F6000\n";
+    for (int i = 1; i <= 12; ++i) text += "X" + std::to_string(4.00137 * i) + "\nM00\n";
+    REQUIRE(session.feed(text + "M30\n"));
+    session.end();
+    int pauses = 0;
+    while (session.status() != SessionStatus::done) {
+      while (session.step()) continue;
+      if (session.status() == SessionStatus::paused) ++pauses;
+      session.resume();
+    }
+    CHECK(pauses == 12);
+    REQUIRE((*backend)->finish());
+  }
+  std::vector<double> x;
+  std::ifstream rows(folder / "rows");
+  for (std::string line; std::getline(rows, line);)
+    if (!line.starts_with('#')) x.push_back(std::stod(line));
+  REQUIRE(x.size() > 700);
+  constexpr double kServo = 0.001;
+  for (std::size_t i = 3; i < x.size(); ++i) {
+    CAPTURE(i, x[i]);
+    REQUIRE(std::abs(x[i] - 2 * x[i - 1] + x[i - 2]) / (kServo * kServo) <= 1000 * 1.001);
+    if (axis_jerk > 0)
+      REQUIRE(std::abs(x[i] - 3 * x[i - 1] + 3 * x[i - 2] - x[i - 3]) / std::pow(kServo, 3) <=
+              axis_jerk * 1.005 + 1);
   }
 }
 

@@ -64,7 +64,7 @@ void HalRows::hand_on() noexcept {
 /// HAL gets all there are.
 void HalRows::rest(const Setpoint& at) noexcept {
   if (!rows_.started()) return;
-  send(commands_(at));
+  send(commands_.rest(at));
   rows_.rest();
   hand_on();
 }

@@ -85,7 +85,7 @@ void StepDir::values(std::span<double> out) const noexcept {
 void StepDir::rest(const Setpoint& at) noexcept {
   if (!started_) return;
   last_ = at.position;
-  alarm_ = send(commands_(at));
+  alarm_ = send(commands_.rest(at));
   if (!out_) return;
   out_->switch_outputs(at.outputs);
   const auto over = std::floor(static_cast<double>(edges_.end()) / period_) + 2;

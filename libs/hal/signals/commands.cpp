@@ -26,10 +26,31 @@ Commands::Commands(const Machine& machine)
           {axis, AxisCompensation(machine.axes[i], machine.screws[i]),
            AxisFollowing(machine.axes[i], machine.control.follow, loop_period(machine.control))});
   }
+  fine_behind_rest_.reserve(std::max(kReserved, parts_));
   if (differ()) fine_.reserve(std::max(kReserved, 4 * parts_));
 }
 
 const Setpoint& Commands::operator()(const Setpoint& path) noexcept {
+  return send(rested_ && path.before_rest > 0 ? behind_rest(path) : path);
+}
+
+const Setpoint& Commands::rest(const Setpoint& at) noexcept {
+  const Setpoint& sent = send(at);
+  rested_ = FinePoint{at.s, at.position};
+  return sent;
+}
+
+const Setpoint& Commands::behind_rest(const Setpoint& path) noexcept {
+  fine_behind_rest_.assign(path.fine.begin(), path.fine.end());
+  const std::size_t before = std::min(path.before_rest, fine_behind_rest_.size());
+  std::fill_n(fine_behind_rest_.begin(), before, *rested_);
+  behind_rest_ = path;
+  behind_rest_.fine = fine_behind_rest_;
+  return behind_rest_;
+}
+
+const Setpoint& Commands::send(const Setpoint& path) noexcept {
+  rested_.reset();
   if (!differ()) return path;
   sent_ = path;
   if (started_) {

@@ -27,6 +27,10 @@ class Commands {
   /// valid until the next call. Realtime.
   const Setpoint& operator()(const Setpoint& path) noexcept;
 
+  /// Returns the same for the place of a rest, which is no setpoint of the path: the instants of
+  /// the next one that lie before it stay there.
+  const Setpoint& rest(const Setpoint& at) noexcept;
+
   /// Returns the next setpoint on the way to the state in which programs begin, the path at rest;
   /// null where the commands have got there.
   const Setpoint* next_to_release() noexcept;
@@ -49,6 +53,8 @@ class Commands {
     AxisFollowing following;
   };
 
+  const Setpoint& send(const Setpoint& path) noexcept;
+  const Setpoint& behind_rest(const Setpoint& path) noexcept;
   void begin() noexcept;
   void move() noexcept;
 
@@ -58,7 +64,10 @@ class Commands {
   bool started_ = false;
   Setpoint sent_;
   std::vector<FinePoint> fine_;
-  FinePoint path_;                                // of the last setpoint
+  FinePoint path_;                   // of the last setpoint
+  std::optional<FinePoint> rested_;  // behind it
+  Setpoint behind_rest_;
+  std::vector<FinePoint> fine_behind_rest_;
   AxisVector added_ = AxisVector::Zero();         // mm
   AxisVector velocity_max_ = AxisVector::Zero();  // mm/s
 };

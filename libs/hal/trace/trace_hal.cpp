@@ -24,7 +24,7 @@ class HalTrace final : public TraceWriter {
 
   void rest(const Setpoint& at) noexcept override {
     if (!rows_.started()) return;
-    send(commands_(at));
+    send(commands_.rest(at));
     rows_.rest();
   }
 

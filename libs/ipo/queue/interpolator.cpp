@@ -2,6 +2,7 @@
 #include "ipo/queue/interpolator.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ipo/methods/method_table.hpp"
 #include "ipo/tuning.hpp"
@@ -42,6 +43,7 @@ std::optional<Setpoint> Interpolator::step() noexcept {
   done_ = queue_.empty();
   last_ = setpoint();
   last_.fine = fine(last_);
+  last_.before_rest = std::exchange(before_rest_, 0);
   ++periods_;
   return last_;
 }
@@ -85,33 +87,38 @@ void Interpolator::go_back_to(const Setpoint& setpoint) noexcept {
   done_ = false;
 }
 
-Setpoint Interpolator::rest_at(double t, int number) noexcept {
-  const bool is_exact = control_.interpolation == Method::arc_length;
-  pulses_.clear();
+Setpoint Interpolator::rest_at(int number) noexcept {
+  const bool is_exact = control_.interpolation == Method::arc_length && periods_ > 0;
   Setpoint at = last_;
   at.v = at.a = at.feed = at.advance = 0;
   at.limit = Limit::stop;
   at.pulses = {};
   at.fine = {};
-  if (periods_ == 0) return at;
-  if (!follows_time(control_.interpolation)) {
-    queue_.for_each_ahead([&](const TimedBlock& timed) {
-      if (timed.block.number < number) at.outputs.pass(timed.block);
-    });
-    return at;
-  }
-  const double part = control_.period / static_cast<double>(fine_.size());
-  for (std::size_t k = 1; is_exact && k <= fine_.size(); ++k) {
-    go_to(std::min(time() + static_cast<double>(k) * part, t), number);
-    fine_[k - 1] = point();
-  }
-  go_to(t, number);
-  const FinePoint rest = point();
-  at.s = rest.s;
-  at.position = is_exact ? rest.position : last_.position;
-  at.outputs = last_.outputs;
-  at.pulses = pulses_;
-  if (is_exact) at.fine = fine_;
+  at.before_rest = 0;
+  std::size_t seen = 0;  // fine points
+  const auto instant = [&](std::size_t k) {
+    return time() +
+           static_cast<double>(k + 1) / static_cast<double>(fine_.size()) * control_.period;
+  };
+  queue_.for_each_ahead([&](const TimedBlock& timed) {
+    if (timed.block.number >= number) return;
+    at.outputs.pass(timed.block);
+    const Move* move = timed.move();
+    if (!is_exact || move == nullptr) return;
+    const auto place = [&](double s) {
+      return FinePoint{timed.s_start + s, position(move->path, s)};
+    };
+    std::size_t hint = 0;
+    for (; seen < fine_.size() && instant(seen) < timed.t_end(); ++seen)
+      fine_[seen] = place(timed.profile.at(std::max(instant(seen) - timed.t_start, 0.0), hint).s);
+    const FinePoint end = place(timed.profile.at(timed.profile.duration(), hint).s);
+    at.s = end.s;
+    at.position = end.position;
+  });
+  if (!is_exact) return at;
+  before_rest_ = seen;
+  for (; seen < fine_.size(); ++seen) fine_[seen] = {at.s, at.position};
+  at.fine = fine_;
   return at;
 }
 
@@ -200,11 +207,9 @@ std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
   return fine_;
 }
 
-/// Leaves no block from the number `end` on.
-void Interpolator::go_to(double t, int end) noexcept {
+void Interpolator::go_to(double t) noexcept {
   const double same = tuning::queue::kSameInstant * control_.period;
-  while (!queue_.empty() && queue_.front().block.number < end &&
-         t >= queue_.front().t_end() - same) {
+  while (!queue_.empty() && t >= queue_.front().t_end() - same) {
     const Profile& profile = queue_.front().profile;
     walk_pulses(t, profile.at(profile.duration(), hint_).s);
     leave_block();

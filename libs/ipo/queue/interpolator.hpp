@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -55,11 +54,10 @@ class Interpolator {
   /// from there on. Only for methods that follow the plan to the instant. Planning side.
   void go_back_to(const Setpoint& setpoint) noexcept;
 
-  /// Goes on to where the machine rests at the instant `t` of the plan, s, before the block
-  /// `number`, and returns that place, with all that is switched before it: within a period behind
-  /// the last setpoint, and no setpoint of its own. Methods that go their own way rest at their
-  /// last setpoint. Planning side.
-  Setpoint rest_at(double t, int number) noexcept;
+  /// Returns where the machine rests before the block `number`, with all that is switched before
+  /// it: within a period behind the last setpoint, and no setpoint of its own. Methods that go
+  /// their own way rest at their last setpoint. It is valid until the next step. Planning side.
+  Setpoint rest_at(int number) noexcept;
 
   /// Makes no setpoint any more: the last one rests at the end of the queue.
   void end() noexcept { done_ = true; }
@@ -82,7 +80,7 @@ class Interpolator {
   void enter_block() noexcept;
   void leave_block() noexcept;
   void follow_time() noexcept;
-  void go_to(double t, int end = std::numeric_limits<int>::max()) noexcept;
+  void go_to(double t) noexcept;
   void look_between() noexcept;
   FinePoint point() noexcept;
   FinePoint ahead() const noexcept;
@@ -109,8 +107,9 @@ class Interpolator {
   std::vector<FinePoint> fine_;        // of the period
   FineSpline spline_;                  // where the fine points are not the plan itself
   double feed_override_ = 1;
-  double planned_ = 0;       // integral of the planned speed since the last setpoint, mm
-  double planned_from_ = 0;  // program length at the last setpoint, mm
+  double planned_ = 0;           // integral of the planned speed since the last setpoint, mm
+  double planned_from_ = 0;      // program length at the last setpoint, mm
+  std::size_t before_rest_ = 0;  // fine points of the next setpoint
   Setpoint last_;
   bool done_ = false;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -45,6 +46,8 @@ struct Setpoint {
   /// end: the plan itself, or a spline for methods that advance by their own rule. Empty before the
   /// first period, and where they are not needed. They are valid as long as the pulses.
   std::span<const FinePoint> fine{};
+  /// How many of them, the first ones, lie before the rest that has come since the last setpoint.
+  std::size_t before_rest = 0;
 };
 
 /// Calls visit(point) for `parts` evenly spaced instants of the period that ends in a setpoint and

@@ -60,8 +60,7 @@ class Channel {
   /// Returns where the machine rests at that pause, with what is on there, as a setpoint that is no
   /// row: the last row may lie up to a period before it. To be called once for each pause.
   Setpoint rest_at_pause() noexcept {
-    const Pause& pause = feeder_.pauses().front();
-    return interpolator_.rest_at(pause.time, pause.block.number);
+    return interpolator_.rest_at(feeder_.pauses().front().block.number);
   }
 
   /// Returns whether there is no next setpoint until more of the program comes.
