@@ -26,12 +26,12 @@ Commands::Commands(const Machine& machine)
           {axis, AxisCompensation(machine.axes[i], machine.screws[i]),
            AxisFollowing(machine.axes[i], machine.control.follow, loop_period(machine.control))});
   }
-  fine_behind_rest_.reserve(std::max(kReserved, parts_));
+  fine_after_rest_.reserve(std::max(kReserved, parts_));
   if (differ()) fine_.reserve(std::max(kReserved, 4 * parts_));
 }
 
 const Setpoint& Commands::operator()(const Setpoint& path) noexcept {
-  return send(rested_ && path.before_rest > 0 ? behind_rest(path) : path);
+  return send(rested_ && path.before_rest > 0 ? after_rest(path) : path);
 }
 
 const Setpoint& Commands::rest(const Setpoint& at) noexcept {
@@ -40,13 +40,13 @@ const Setpoint& Commands::rest(const Setpoint& at) noexcept {
   return sent;
 }
 
-const Setpoint& Commands::behind_rest(const Setpoint& path) noexcept {
-  fine_behind_rest_.assign(path.fine.begin(), path.fine.end());
-  const std::size_t before = std::min(path.before_rest, fine_behind_rest_.size());
-  std::fill_n(fine_behind_rest_.begin(), before, *rested_);
-  behind_rest_ = path;
-  behind_rest_.fine = fine_behind_rest_;
-  return behind_rest_;
+const Setpoint& Commands::after_rest(const Setpoint& path) noexcept {
+  fine_after_rest_.assign(path.fine.begin(), path.fine.end());
+  const std::size_t before = std::min(path.before_rest, fine_after_rest_.size());
+  std::fill_n(fine_after_rest_.begin(), before, *rested_);
+  after_rest_ = path;
+  after_rest_.fine = fine_after_rest_;
+  return after_rest_;
 }
 
 const Setpoint& Commands::send(const Setpoint& path) noexcept {

@@ -54,7 +54,7 @@ class Commands {
   };
 
   const Setpoint& send(const Setpoint& path) noexcept;
-  const Setpoint& behind_rest(const Setpoint& path) noexcept;
+  const Setpoint& after_rest(const Setpoint& path) noexcept;
   void begin() noexcept;
   void move() noexcept;
 
@@ -66,8 +66,8 @@ class Commands {
   std::vector<FinePoint> fine_;
   FinePoint path_;                   // of the last setpoint
   std::optional<FinePoint> rested_;  // behind it
-  Setpoint behind_rest_;
-  std::vector<FinePoint> fine_behind_rest_;
+  Setpoint after_rest_;
+  std::vector<FinePoint> fine_after_rest_;
   AxisVector added_ = AxisVector::Zero();         // mm
   AxisVector velocity_max_ = AxisVector::Zero();  // mm/s
 };
