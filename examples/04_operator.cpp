@@ -57,5 +57,7 @@ int main() {
   std::cout << (machine->knows_position() ? "position known\n" : "position not known\n");
   machine->home();
   run(*machine, minute);
-  show(*machine, "homed");
+  machine->line("G53 G00 X0 Y0 Z0\n");
+  run(*machine, minute);
+  show(*machine, "homed, and at machine zero");
 }

@@ -111,11 +111,11 @@ TEST_CASE("where the program waits, charge pump and spindle signal go on", "[app
     word.speed = 3;
     CHECK(player->play(std::vector(48, word)) == Alarm::none);
     player->rest();
-    runtime::sleep_until(runtime::now_ns() + 50'000'000);
+    runtime::sleep_until(runtime::now_ns() + 200'000'000);
     REQUIRE(player->finish());
   }
   const auto data = data_of(record);
-  CHECK(data.size() > 500);  // 50 ms of 50 us, on a computer that may be late
+  CHECK(data.size() > 200);  // of 4,000 in time: tests run beside one another
   for (std::size_t tick = 0; tick + 2 < data.size(); ++tick) {
     if (data[tick] != ((tick % 2 == 0 ? 0x80 : 0) | (tick > 0 && tick % 10 < 3 ? 0x40 : 0)))
       FAIL("tick " << tick << ": " << int{data[tick]});
