@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -177,44 +178,27 @@ TEST_CASE("homing makes a position known only where every axis has a switch", "[
 
 TEST_CASE("a homing that is ended sets nothing", "[runtime][homing]") {
   const AxisVector taken_for(7, 8, 9);
-  const auto end = GENERATE(0, 1, 2, 3, 4, 5, 6);
-  CAPTURE(end);
+  const auto end = GENERATE(as<std::optional<Request>>(), Request::hold, Request::cancel,
+                            Request::abort, Request::reset, Request::door, std::nullopt);
+  const bool is_estop = GENERATE(false, true);
+  if (end && is_estop) return;  // a fault is the one or the other
   Desk desk(with_switches(BackendKind::none, 20'000));
   stand_unknown(desk, AxisVector(1, 2, 3), taken_for);
   REQUIRE(desk.operated.home());
   desk.run(15'000);
   REQUIRE(desk.operated.mode() == MachineMode::home);
-  switch (end) {
-    case 0:
-      REQUIRE(desk.operated.hold());
-      break;
-    case 1:
-      REQUIRE(desk.operated.cancel());
-      break;
-    case 2:
-      REQUIRE(desk.operated.abort());
-      break;
-    case 3:
-      REQUIRE(desk.operated.reset());
-      break;
-    case 4:
-      REQUIRE(desk.operated.door());
-      break;
-    case 5:
-      desk.operated.limit_switch(0, 1);
-      break;
-    default:
-      desk.operated.estop();
-  }
+  if (end) REQUIRE(ask(desk.operated, *end));
+  if (!end && is_estop) desk.operated.estop();
+  if (!end && !is_estop) desk.operated.limit_switch(0, 1);
   desk.run(1000);
   CHECK_FALSE(desk.operated.moving());
   CHECK(desk.operated.position() == desk.places.back());
   CHECK(desk.errors.empty());
-  const MachineMode after = end <= 2   ? MachineMode::idle
-                            : end == 4 ? MachineMode::door
-                                       : MachineMode::alarm;
+  const MachineMode after = !end || end == Request::reset ? MachineMode::alarm
+                            : end == Request::door        ? MachineMode::door
+                                                          : MachineMode::idle;
   CHECK(desk.operated.mode() == after);
-  if (end == 6) return;  // rows end without a ramp
+  if (is_estop) return;  // rows end without a ramp
   desk.check_limits();
 }
 

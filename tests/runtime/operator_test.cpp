@@ -53,38 +53,6 @@ void lead(Desk& desk, MachineMode mode) {
   }
 }
 
-Status ask(Operator& operated, Request request) {
-  switch (request) {
-    case Request::line:
-      return operated.line("G04 P0.1\n");
-    case Request::start:
-      return operated.start(kProgram);
-    case Request::jog:
-      return operated.jog({AxisVector(0, 1, 0), 50});
-    case Request::cancel:
-      return operated.cancel();
-    case Request::hold:
-      return operated.hold();
-    case Request::resume:
-      return operated.resume();
-    case Request::abort:
-      return operated.abort();
-    case Request::reset:
-      return operated.reset();
-    case Request::door:
-      return operated.door();
-    case Request::unlock:
-      return operated.unlock();
-    case Request::check:
-      return operated.check();
-    case Request::sleep:
-      return operated.sleep();
-    case Request::home:
-      return operated.home();
-  }
-  return {};
-}
-
 }  // namespace
 
 TEST_CASE("each request does in each state what the table says", "[runtime][operator]") {
@@ -100,7 +68,7 @@ TEST_CASE("each request does in each state what the table says", "[runtime][oper
       const bool is_program = mode == MachineMode::run && request == Request::line;
       const bool is_fault = mode == MachineMode::alarm && request == Request::jog;
       const bool refused = rule.answer == ModeRule::Answer::refused || is_program || is_fault;
-      const Status status = ask(desk.operated, request);
+      const Status status = ask(desk.operated, request, kProgram);
       CHECK(status.has_value() != refused);
       if (!status) CHECK(status.error().code == Code::SC5080);
       if (rule.answer != ModeRule::Answer::acts || refused) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
@@ -27,6 +28,41 @@ inline Machine machine_to_operate(BackendKind backend, double jerk) {
     axis.home.place = 100;
   }
   return machine;
+}
+
+/// Requests what has no figures of its own, and something small of what has.
+inline Status ask(runtime::Operator& operated, runtime::Request request,
+                  std::string_view program = "G01 X20 F3000\nM30\n") {
+  using runtime::Request;
+  switch (request) {
+    case Request::line:
+      return operated.line("G04 P0.1\n");
+    case Request::start:
+      return operated.start(program);
+    case Request::jog:
+      return operated.jog({AxisVector(0, 1, 0), 50});
+    case Request::cancel:
+      return operated.cancel();
+    case Request::hold:
+      return operated.hold();
+    case Request::resume:
+      return operated.resume();
+    case Request::abort:
+      return operated.abort();
+    case Request::reset:
+      return operated.reset();
+    case Request::door:
+      return operated.door();
+    case Request::unlock:
+      return operated.unlock();
+    case Request::check:
+      return operated.check();
+    case Request::sleep:
+      return operated.sleep();
+    case Request::home:
+      return operated.home();
+  }
+  return {};
 }
 
 class Desk final : public runtime::RowSink {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <utility>
 
 #include "hal/backends/hal_stream.hpp"
 #include "hal/backends/home_switches.hpp"
@@ -23,18 +22,16 @@ class NullBackend final : public Backend {
 
   Feedback exchange(const Setpoint& setpoint) noexcept override {
     position_ = setpoint.position;
-    if (!std::exchange(started_, true)) switches_.begin(position_);
     Feedback feedback{position_, Alarm::none, -1};
     switches_.read(std::span(&position_, 1), feedback);
     return feedback;
   }
-  void begin_again() noexcept override { started_ = false; }
+  void begin_again() noexcept override { switches_.begin_again(); }
   bool has_home_switches() const noexcept override { return true; }
   AxisVector settle() const noexcept override { return position_; }
 
  private:
   HomeSwitches switches_;
-  bool started_ = false;
   AxisVector position_ = AxisVector::Zero();
 };
 

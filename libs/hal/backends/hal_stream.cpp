@@ -73,8 +73,7 @@ void HalRows::rest(const Setpoint& at) noexcept {
 /// ended, nothing stays on.
 Status HalRows::finish() {
   while (const Setpoint* sent = status_ ? commands_.next_to_release() : nullptr) send(*sent);
-  rows_.switch_off();
-  rows_.rest();
+  rows_.end();
   hand_on();
   if (!out_) return {};
   if (status_) status_ = out_->write(rows_.tail());

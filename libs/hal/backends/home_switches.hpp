@@ -2,6 +2,7 @@
 // Simulated home switches: each closed from one place of its axis on.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,19 +12,15 @@
 namespace softcnc::hal {
 
 /// The switches stay where they are, whatever coordinates the commands count in: where these begin
-/// again, only the numbers of the places change.
+/// again, only the numbers of the places change. At first they are those of the machine.
 class HomeSwitches {
  public:
   explicit HomeSwitches(const Machine& machine);
 
-  /// Returns whether an axis has one.
-  static bool any(const Machine& machine) noexcept;
-
-  /// The axes stand at `place`, mm, in the coordinates that now count. Before the first call they
-  /// are those of the machine.
-  void begin(const AxisVector& place) noexcept;
   /// The axes have come through these places, mm, the last one of which is that of the feedback.
   void read(std::span<const AxisVector> places, Feedback& feedback) noexcept;
+  /// The next place is where the axes stand already, in other coordinates.
+  void begin_again() noexcept { begins_again_ = true; }
 
  private:
   struct Switch {
@@ -34,9 +31,9 @@ class HomeSwitches {
   };
 
   std::vector<Switch> switches_;
-  AxisVector last_ = AxisVector::Zero();    // mm, coordinates of the commands,
+  std::optional<AxisVector> last_;          // mm, coordinates of the commands,
   AxisVector offset_ = AxisVector::Zero();  // mm: from them to those of the machine
-  bool begun_ = false;
+  bool begins_again_ = false;
 };
 
 }  // namespace softcnc::hal

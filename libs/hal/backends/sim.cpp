@@ -77,7 +77,6 @@ void SimulatedMill::begin(const Setpoint& sent) noexcept {
     slide.screw.begin(slide.servo.position());
     actual_.back()[slide.axis] = slide.screw.table();
   }
-  switches_.begin(actual_.back());
 }
 
 void SimulatedMill::run_period(Slide& slide, const Setpoint& sent) noexcept {

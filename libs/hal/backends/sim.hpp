@@ -25,7 +25,10 @@ class SimulatedMill final : public Backend {
   explicit SimulatedMill(const Machine& machine);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
-  void begin_again() noexcept override { started_ = false; }
+  void begin_again() noexcept override {
+    started_ = false;
+    switches_.begin_again();
+  }
   bool has_home_switches() const noexcept override { return true; }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the

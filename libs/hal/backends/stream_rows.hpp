@@ -37,8 +37,11 @@ class StreamRows {
   void add(const Setpoint& setpoint) noexcept;
   /// Signals to HAL that no more rows come for a while.
   void rest() noexcept;
-  /// The rows that follow have spindle, coolant and outputs off, until the next setpoint.
-  void switch_off() noexcept { outputs_ = {}; }
+  /// Adds the last row: at rest, with spindle, coolant and outputs off.
+  void end() noexcept {
+    outputs_ = {};
+    rest();
+  }
 
   /// Returns the rows that wait to be passed on; pass() forgets and counts them.
   std::string_view bytes() const noexcept { return bytes_; }

@@ -269,9 +269,9 @@ void MachineLoader::check_home(int index) {
   constexpr double kPeriodsOff = 4;
   const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
   const HomeSwitch& home = axis.home;
-  if (!axis.present || home.search == 0) return;
+  if (!has_home_switch(axis)) return;
   const std::string name = "axis." + axis_name(index);
-  const double rest = home.place - std::copysign(home.back_off, home.search);
+  const double rest = home.rest();
   if (rest < axis.min || rest > axis.max)
     clash(Code::SC7028,
           {name + ".home.switch_mm", name + ".home.back_off_mm", name + ".home.search_mm_min"},

@@ -38,8 +38,7 @@ class HalTrace final : public TraceWriter {
 
   Status finish() override {
     while (const Setpoint* sent = ok() ? commands_.next_to_release() : nullptr) send(*sent);
-    rows_.switch_off();
-    rows_.rest();
+    rows_.end();
     flush();
     if (ok()) status_ = out_->write(rows_.tail());
     if (ok()) status_ = out_->finish();

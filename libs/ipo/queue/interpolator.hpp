@@ -38,6 +38,8 @@ class Interpolator {
 
   /// Sets what is switched on before the first setpoint.
   void set_outputs(const Outputs& outputs) noexcept { last_.outputs = outputs; }
+  /// Returns what the blocks so far have switched on.
+  const Outputs& outputs() const noexcept { return last_.outputs; }
 
   /// Returns the planned time, s, that the next step may reach.
   double needs_until() const noexcept;

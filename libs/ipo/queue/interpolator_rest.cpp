@@ -34,6 +34,7 @@ Setpoint Interpolator::rest_at(int number) noexcept {
     at.s = end.s;
     at.position = end.position;
   });
+  last_.outputs = at.outputs;  // the blocks that have switched them will do so once more
   if (!is_exact) return at;
   before_rest_ = seen;
   for (; seen < fine_.size(); ++seen) fine_[seen] = {at.s, at.position};

@@ -22,16 +22,16 @@ Probing probing_of(const GCode& code) noexcept {
           code.number == kG382 || code.number == kG384};
 }
 
-/// The tool in the spindle, or a probe in its place.
-ProbeTip tip_of(const Task& task) {
-  const auto loaded = task.modal.state.loaded_tool;
-  const auto found = task.machine.tools.find(loaded.value_or(0));
-  if (found == task.machine.tools.end()) return {task.machine.probe.radius, 0};
-  return {found->second.radius, found->second.length};
+/// Null where the machine file has no such tool.
+const Tool* tool_in_spindle(const Task& task) {
+  const auto found = task.machine.tools.find(task.modal.state.loaded_tool.value_or(0));
+  return found == task.machine.tools.end() ? nullptr : &found->second;
 }
 
-bool is_tool_of_machine(const Task& task) {
-  return task.machine.tools.contains(task.modal.state.loaded_tool.value_or(0));
+/// The tool in the spindle, or a probe in its place.
+ProbeTip tip_of(const Task& task) {
+  const Tool* tool = tool_in_spindle(task);
+  return tool ? ProbeTip{tool->radius, tool->length} : ProbeTip{task.machine.probe.radius, 0};
 }
 
 std::vector<ContactBody> bodies_of(const Machine& machine) {
@@ -99,9 +99,10 @@ void probe_to(Task& task, const AxisVector& to) {
 
 void warn_of_contact(Task& task, const Path& path) {
   const auto* line = std::get_if<softcnc::Line>(&path);
-  if (line == nullptr || is_tool_of_machine(task)) return;
+  if (line == nullptr || tool_in_spindle(task) != nullptr) return;
+  const ProbeTip tip = tip_of(task);
   for (const auto& [name, body] : task.machine.contacts) {
-    const auto s = contact_along(*line, std::span(&body, 1), tip_of(task), ProbeAim::contact);
+    const auto s = contact_along(*line, std::span(&body, 1), tip, ProbeAim::contact);
     if (!s) continue;
     return task.out.report_once(Code::SC2395, task.word.pos, "contact",
                                 code_name(task.code) + " leads the probe into [contact." + name +

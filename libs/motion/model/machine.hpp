@@ -146,6 +146,11 @@ struct HomeSwitch {
   double back_off = 2;  // mm: away from the switch, before it is latched and at the end
   double place = 0;     // mm, machine coordinates: where it closes
   int order = 1;        // axes of the same number search together, smaller ones first
+
+  /// Returns towards which end of the travel it lies: -1 or 1.
+  double direction() const noexcept { return search < 0 ? -1 : 1; }
+  /// Returns where the axis rests after homing, mm, machine coordinates.
+  double rest() const noexcept { return place - direction() * back_off; }
 };
 
 struct Axis {
@@ -163,6 +168,11 @@ struct Axis {
   Drive drive;
   HomeSwitch home;
 };
+
+/// Returns whether the machine has the axis, with a home switch.
+inline bool has_home_switch(const Axis& axis) noexcept {
+  return axis.present && axis.home.search != 0;
+}
 
 /// A place of a lead screw and how far the table is beyond it, mm: position and error.
 struct PitchPoint {

@@ -15,8 +15,6 @@ constexpr double kSettlingTimes = 6;  // time constants of the position loop: to
 constexpr double kLongestPause = 2;   // s
 constexpr double kNothing = 1e-6;     // mm: of a range that is used up
 
-bool has_switch(const Axis& axis) noexcept { return axis.present && axis.home.search != 0; }
-
 double latch_speed(const Machine& machine, const Axis& axis) noexcept {
   return axis.home.latch > 0 ? axis.home.latch : axis.blu / machine.control.period;
 }
@@ -28,12 +26,12 @@ std::string mm(double length) { return hal::number_text(std::round(length * 1e3)
 Homing::Homing(const Machine& machine) : machine_(machine) {}
 
 bool Homing::is_possible(const Machine& machine) noexcept {
-  return std::any_of(machine.axes.begin(), machine.axes.end(), has_switch);
+  return std::any_of(machine.axes.begin(), machine.axes.end(), has_home_switch);
 }
 
 bool Homing::finds_all() const noexcept {
   return std::all_of(machine_.axes.begin(), machine_.axes.end(),
-                     [](const Axis& axis) { return !axis.present || has_switch(axis); });
+                     [](const Axis& axis) { return !axis.present || has_home_switch(axis); });
 }
 
 // From leg to leg ---------------------------------------------------------------------------------
@@ -64,12 +62,12 @@ std::optional<Homing::Leg> Homing::next(const AxisVector& place) {
 void Homing::begin_group() {
   int order = std::numeric_limits<int>::max();
   for (const Axis& axis : machine_.axes)
-    if (has_switch(axis) && axis.home.order > order_) order = std::min(order, axis.home.order);
+    if (has_home_switch(axis) && axis.home.order > order_) order = std::min(order, axis.home.order);
   order_ = order;
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
-    if (has_switch(axis) && axis.home.order == order)
-      group_.push_back({i, &axis.home, std::copysign(1.0, axis.home.search)});
+    if (has_home_switch(axis) && axis.home.order == order)
+      group_.push_back({i, &axis, axis.home.direction()});
   }
   begin_search();
 }
@@ -77,9 +75,8 @@ void Homing::begin_group() {
 void Homing::begin_search() {
   phase_ = Phase::search;
   for (Seeker& seeker : group_) {
-    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
-    seeker.speed = std::abs(seeker.home->search);
-    seeker.range = axis.max - axis.min + 2 * seeker.home->back_off;
+    seeker.speed = std::abs(seeker.of->home.search);
+    seeker.range = seeker.of->max - seeker.of->min + 2 * seeker.of->home.back_off;
     if (closed_[static_cast<std::size_t>(seeker.axis)])
       fail(seeker.axis, "is closed already where the search begins");
   }
@@ -88,11 +85,10 @@ void Homing::begin_search() {
 void Homing::begin_latch() {
   phase_ = Phase::latch;
   for (Seeker& seeker : group_) {
-    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
     seeker.first_edge = seeker.edge;
     seeker.found = false;
-    seeker.speed = latch_speed(machine_, axis);
-    seeker.range = 2 * seeker.home->back_off;
+    seeker.speed = latch_speed(machine_, *seeker.of);
+    seeker.range = 2 * seeker.of->home.back_off;
   }
 }
 
@@ -110,8 +106,7 @@ bool Homing::all_found() const noexcept {
 double Homing::settling_time() const noexcept {
   double time = 0;
   for (const Seeker& seeker : group_) {
-    const Axis& axis = machine_.axes[static_cast<std::size_t>(seeker.axis)];
-    time = std::max(time, std::min(kSettlingTimes / axis.drive.kv, kLongestPause));
+    time = std::max(time, std::min(kSettlingTimes / seeker.of->drive.kv, kLongestPause));
   }
   return time;
 }
@@ -134,9 +129,9 @@ Homing::Leg Homing::off_switches(const AxisVector& place) {
   Leg leg{place, 0, settling_time()};
   double time = 0;
   for (const Seeker& seeker : group_) {
-    leg.to[seeker.axis] = seeker.edge - seeker.direction * seeker.home->back_off;
-    time = std::max(
-        time, std::abs(leg.to[seeker.axis] - place[seeker.axis]) / std::abs(seeker.home->search));
+    leg.to[seeker.axis] = seeker.edge - seeker.direction * seeker.of->home.back_off;
+    time = std::max(time, std::abs(leg.to[seeker.axis] - place[seeker.axis]) /
+                              std::abs(seeker.of->home.search));
   }
   leg.feed = (leg.to - place).norm() / time;
   return leg;
@@ -145,7 +140,7 @@ Homing::Leg Homing::off_switches(const AxisVector& place) {
 void Homing::take_edges() {
   for (const Seeker& seeker : group_)
     offset_[seeker.axis] =
-        seeker.home->place - seeker.edge + table_[seeker.axis] - place_[seeker.axis];
+        seeker.of->home.place - seeker.edge + table_[seeker.axis] - place_[seeker.axis];
   group_.clear();
 }
 
@@ -157,7 +152,7 @@ bool Homing::sees(const Feedback& feedback) {
   if (!std::exchange(begun_, true)) {
     for (int i = 0; i < kAxes; ++i) {
       const auto axis = static_cast<std::size_t>(i);
-      if (has_switch(machine_.axes[axis]) && closed_[axis])
+      if (has_home_switch(machine_.axes[axis]) && closed_[axis])
         fail(i, "is closed already where homing begins");
     }
     return failure_.has_value();
@@ -179,7 +174,7 @@ void Homing::check_range() {
     if (!seeker.found && seeker.range < kNothing)
       fail(seeker.axis, phase_ == Phase::search
                             ? "has not closed over the whole travel"
-                            : "has not closed again within " + mm(2 * seeker.home->back_off));
+                            : "has not closed again within " + mm(2 * seeker.of->home.back_off));
 }
 
 void Homing::check_closed() {
@@ -191,8 +186,8 @@ void Homing::check_closed() {
 void Homing::check_edges() {
   for (const Seeker& seeker : group_) {
     const double apart = std::abs(seeker.edge - seeker.first_edge);
-    const double fineness = std::abs(seeker.home->search) * machine_.control.period;
-    if (apart > seeker.home->back_off / 2 + fineness)
+    const double fineness = std::abs(seeker.of->home.search) * machine_.control.period;
+    if (apart > seeker.of->home.back_off / 2 + fineness)
       fail(seeker.axis, "has closed at two places, " + mm(apart) + " apart");
   }
 }
@@ -201,7 +196,7 @@ void Homing::check_open() {
   for (const Seeker& seeker : group_)
     if (closed_[static_cast<std::size_t>(seeker.axis)])
       fail(seeker.axis,
-           "is still closed " + mm(seeker.home->back_off) + " away from where it closed");
+           "is still closed " + mm(seeker.of->home.back_off) + " away from where it closed");
 }
 
 void Homing::fail(int axis, const std::string& what) {

@@ -49,7 +49,7 @@ class Homing {
 
   struct Seeker {
     int axis;
-    const HomeSwitch* home;
+    const Axis* of;
     double direction;  // towards the switch: -1 or 1
     double speed = 0;  // mm/s
     double range = 0;  // mm: how far it still may move towards the switch

@@ -144,6 +144,7 @@ class Operator {
   MachineMode mode_at_rest() const noexcept {
     return door_open_ ? MachineMode::door : locked_ ? MachineMode::alarm : MachineMode::idle;
   }
+  void switch_off() noexcept;
   void send_outputs() noexcept;
   void end_in(MachineMode mode);
   void ended();

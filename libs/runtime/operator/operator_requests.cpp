@@ -81,9 +81,7 @@ void Operator::end_in(MachineMode mode) {
 }
 
 void Operator::ended() {
-  const bool resets = std::exchange(resets_, false);
-  if (resets) outputs_ = programmed_ = {};
-  if (resets) send_outputs();
+  if (std::exchange(resets_, false)) switch_off();
   if (mode_ == MachineMode::door) programmed_ = {};  // off they stay
   open_.forget();
   waits_ = 0;
@@ -145,11 +143,15 @@ Status Operator::check() {
 Status Operator::sleep() {
   if (const auto answer = answered(Request::sleep)) return *answer;
   if (jog_) return refusal("sleep: a jog has not ended yet");
-  outputs_ = programmed_ = {};
-  send_outputs();
+  switch_off();
   begin_session(state());
   mode_ = MachineMode::sleep;
   return {};
+}
+
+void Operator::switch_off() noexcept {
+  outputs_ = programmed_ = {};
+  send_outputs();
 }
 
 /// Where no row follows, the backend learns by itself what is on now.
@@ -166,8 +168,7 @@ void Operator::estop() {
   const MachineState before = state();
   if (is_measured) last_.position = actual.back();
   last_.v = last_.a = 0;
-  outputs_ = programmed_ = {};
-  send_outputs();
+  switch_off();
   backend_.begin_again();
   known_ = known_ && is_measured;
   locked_ = false;

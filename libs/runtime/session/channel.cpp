@@ -26,7 +26,6 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
       follows_plan_(follows_time(machine.control.interpolation)),
       interpolator_(queue_, machine, options.state.place()),
-      outputs_(options.outputs),
       times_(options.worst_lines > 0 || options.line_times, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
   interpolator_.set_outputs(options.outputs);
@@ -147,14 +146,12 @@ bool Channel::stop_after(const Setpoint& last, const std::function<bool()>& in_t
       return stopping_ = true;
     }
     const RunTimes times = times_;
-    const Outputs outputs = outputs_;
     add_passed();
     control_.stop = true;
     stopping_ = replanned_ = feeder_.stop_in_time(queue_, interpolator_.state(),
                                                   interpolator_.state_time(), control_, in_time);
     if (stopping_) return true;
     times_ = times;
-    outputs_ = outputs;
   } catch (...) {
     broken_ = std::current_exception();
   }
@@ -163,7 +160,6 @@ bool Channel::stop_after(const Setpoint& last, const std::function<bool()>& in_t
 
 void Channel::pass(const ipo::TimedBlock& timed) {
   times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
-  outputs_.pass(timed.block);
 }
 
 void Channel::forget_passed(double until) {

@@ -82,8 +82,8 @@ class Channel {
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   /// Forgets what has been passed and ended by the instant `until`, s.
   void forget_passed(double until = ipo::kUnlimited);
-  /// Returns what the blocks forgotten so far have switched on.
-  const Outputs& outputs() const noexcept { return outputs_; }
+  /// Returns what is on at the last setpoint, or at the pause where the machine rests.
+  const Outputs& outputs() const noexcept { return interpolator_.outputs(); }
   /// Returns whether the speed of the spindle is as programmed, whatever its override.
   bool keeps_spindle_speed() const noexcept {
     const Move* move = queue_.empty() ? nullptr : queue_.front().move();
@@ -121,7 +121,6 @@ class Channel {
   ipo::BlockQueue queue_;
   bool follows_plan_;  // the rows lie where the plan is at their instants
   ipo::Interpolator interpolator_;
-  Outputs outputs_;
   RunTimes times_;                    // of what has been forgotten
   Limit limit_before_ = Limit::stop;  // of the last row
   bool started_ = false, stopping_ = false;

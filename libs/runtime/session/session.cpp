@@ -71,7 +71,6 @@ void Session::begin_again(ipr::Memory* memory) {
   }
   options_.state.position = KeptPosition{last_.position};
   options_.outputs = programmed_outputs();
-  at_pause_.reset();
   before_ = last_;
   before_.period += 1;
   before_it_ = lines_;
@@ -170,8 +169,7 @@ bool Session::is_to_pause() noexcept {
   if (requests_.stops() || !channel_->pause_ahead()) return false;
   if (std::exchange(status_, SessionStatus::paused) == SessionStatus::paused) return true;
   Setpoint at = counted_on(channel_->rest_at_pause());
-  at_pause_ = at.outputs;
-  at.outputs = off_ ? Outputs() : outputs();
+  at.outputs = outputs();
   backend_.rest(at);
   at.pulses = {};
   at.fine = {};
@@ -181,9 +179,8 @@ bool Session::is_to_pause() noexcept {
 
 Row Session::exchange(const Setpoint& setpoint) {
   status_ = SessionStatus::running;
-  at_pause_.reset();
   Setpoint row = counted_on(setpoint);
-  row.outputs = off_ ? Outputs() : overridden(setpoint.outputs);
+  row.outputs = overridden(setpoint.outputs);
   const Feedback feedback = backend_.exchange(row);
   if (feedback.alarm != Alarm::none) status_ = SessionStatus::alarm;
   backend_.values(std::span(values_).first(backend_.columns().size()));
@@ -215,6 +212,7 @@ void Session::set_switches(bool block_skip, bool optional_stop, bool single_bloc
 }
 
 Outputs Session::overridden(Outputs outputs) const noexcept {
+  if (off_) return {};
   const double programmed = std::abs(outputs.spindle_rpm);
   if (programmed == 0 || channel_->keeps_spindle_speed()) return outputs;
   const Spindle& spindle = machine_.spindle;

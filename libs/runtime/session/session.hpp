@@ -119,10 +119,8 @@ class Session {
   /// the override of the spindle leaves. Rows have the same.
   Outputs outputs() const noexcept { return overridden(programmed_outputs()); }
   /// Returns the same at the speed that is programmed.
-  const Outputs& programmed_outputs() const noexcept {
-    return at_pause_ ? *at_pause_ : channel_->outputs();
-  }
-  /// Rows have everything off, whatever the program has switched, until switch_on().
+  const Outputs& programmed_outputs() const noexcept { return channel_->outputs(); }
+  /// Everything is off, whatever the program has switched, until switch_on().
   void switch_off() noexcept { off_ = true; }
   void switch_on() noexcept { off_ = false; }
   /// Returns the last row, without pulses and fine points; at a pause, where the machine rests.
@@ -152,12 +150,11 @@ class Session {
   std::optional<Contour> contour_;
   std::vector<double> values_;
   double spindle_override_ = 1;
-  std::optional<Outputs> at_pause_;  // as programmed
-  bool off_ = false;                 // in the rows
-  bool fed_ = false;                 // all there is
-  bool rests_ = false;               // where what has been fed ends
-  double planned_s_ = 0;             // mm: of the last row
-  int pushed_ = 0;                   // the number of the last block that was fed
+  bool off_ = false;      // whatever is programmed
+  bool fed_ = false;      // all there is
+  bool rests_ = false;    // where what has been fed ends
+  double planned_s_ = 0;  // mm: of the last row
+  int pushed_ = 0;        // the number of the last block that was fed
   Setpoint last_;
   Setpoint before_;    // go_on(): the last row, from which periods, lengths and blocks count on
   int lines_ = 0;      // that have been fed,
