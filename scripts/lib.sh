@@ -8,10 +8,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Debian 12 packages: what softcnc is built from, and what its tests need beyond that.
 build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libspdlog-dev libfmt-dev
                 libtomlplusplus-dev nlohmann-json3-dev libexpected-dev libzstd-dev libzip-dev
-                zlib1g-dev libxxhash-dev libyaml-cpp-dev libreaderwriterqueue-dev libcairo2-dev fonts-dejavu-core)
+                zlib1g-dev libxxhash-dev libyaml-cpp-dev libreaderwriterqueue-dev libcairo2-dev libncurses-dev
+                fonts-dejavu-core)
 test_packages=(catch2 clang libclang-rt-14-dev librapidcheck-dev libbenchmark-dev python3
                python3-numpy python3-scipy python3-matplotlib python3-yaml parallel zstd
-               python3-pytest mypy)
+               python3-pytest python3-pexpect python3-pyte mypy)
 # What the Python package is built from.
 python_packages=(pybind11-dev python3-dev)
 # What shows the pages of reports; their sources also need Node, see need_node.

@@ -78,6 +78,8 @@ int dispatch(const Options& options) {
       return blocks(options);
     case CommandName::convert:
       return convert(options);
+    case CommandName::operate:
+      return operate(options);
     case CommandName::record:
       return record(options);
     case CommandName::replay:

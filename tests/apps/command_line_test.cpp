@@ -10,9 +10,9 @@ using namespace softcnc::app::test;
 namespace {
 
 const std::string kKnown =
-    "; the commands are run, check, blocks, convert, record, replay, diff, report, surface, "
-    "compare, circle, identify, machine, state, latency, pulses, codes\nRun with --help for more "
-    "information.\n";
+    "; the commands are run, check, blocks, convert, operate, record, replay, diff, report, "
+    "surface, compare, circle, identify, machine, state, latency, pulses, codes\nRun with --help "
+    "for more information.\n";
 
 }  // namespace
 

@@ -27,7 +27,12 @@ SECONDS = 120
 
 BUILDS = "installs packages and builds"
 MEASURES = "builds, and measures for minutes to hours"
+OPERATES = "needs a person at a terminal; tests/apps/operate_session.py is one"
 LEFT_OUT = {
+    "softcnc operate": OPERATES,
+    "softcnc operate [PART]": OPERATES,
+    "softcnc operate PART --state mill.toml": OPERATES,
+    "softcnc operate programs/31_first_part.nc --state mill.state.toml": OPERATES,
     "scripts/run programs/08_butterfly.nc": BUILDS + "; the same with softcnc run is run",
     "scripts/test": BUILDS + "; it runs this",
     "scripts/test --all": BUILDS + "; it runs this",

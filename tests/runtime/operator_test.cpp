@@ -285,3 +285,26 @@ TEST_CASE("docs/operating.md shows the table of states and requests", "[runtime]
   }
   CHECK(bytes_of(SOFTCNC_SOURCE_DIR "/docs/operating.md").find(table) != std::string::npos);
 }
+
+TEST_CASE("a single block that is asked for in motion pauses where the machine rests, not before",
+          "[operator]") {
+  const auto instant = GENERATE(20, 100, 300, 450, 700);  // periods
+  Desk desk(BackendKind::none, 0);
+  REQUIRE(desk.operated.start("G64 P0.5 F3000\nG01 X10\nX20\nY10\nX30 Y20\nX40\nX10\nX50 Y0\nX0\n"
+                              "Y30\nX5\nX10\nM30\n"));
+  desk.run(instant);
+  desk.operated.set_single_block(true);
+  int pauses = 0;
+  for (; pauses < 20 && desk.operated.mode() != MachineMode::idle; ++pauses) {
+    desk.run(100'000, [&] { return desk.operated.mode() != MachineMode::run; });
+    if (desk.operated.mode() != MachineMode::hold) break;
+    const auto rows = desk.places.size();
+    REQUIRE(rows > 2);
+    // From the last row the machine can brake within a period.
+    const double speed = (desk.places[rows - 1] - desk.places[rows - 2]).norm() / 0.001;
+    CHECK(speed <= 1000 * 2 * 0.001 * std::sqrt(2.0));
+    REQUIRE(desk.operated.resume());
+  }
+  CHECK(pauses > 2);
+  desk.check_limits();
+}

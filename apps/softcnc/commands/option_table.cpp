@@ -33,6 +33,8 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::blocks, "blocks", "Print the blocks of a part program, one JSON object per line"},
     {CommandName::convert, "convert",
      "Write a part program with curves for chords, or the reverse"},
+    {CommandName::operate, "operate",
+     "Stand at the machine: home, jog, set offsets, run programs, in a full-screen terminal"},
     {CommandName::record, "record", "Run a part program and record what replay needs"},
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
     {CommandName::diff, "diff", "Compare two runs: programs, traces or recordings"},
@@ -149,6 +151,10 @@ void files(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 void two_files(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.files, entry.help)->required()->type_name("")->expected(2);
+}
+
+void optional_file(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.files, entry.help)->type_name("")->expected(1);
 }
 
 void words(CLI::App& app, const OptionEntry& entry, Options& options) {
@@ -525,16 +531,18 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 }
 
 using enum CommandName;
-constexpr Commands kRuns{run, record};
+constexpr Commands kRuns{run, record}, kDrives{run, record, operate};
 constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
 constexpr Commands kPrograms{run, check, blocks, convert, record, report, surface};
 constexpr Commands kReads{run, check, blocks, convert, record, report, surface, compare, diff};
+constexpr Commands kInterprets{run,    check,   blocks,  convert, record,
+                               report, surface, compare, diff,    operate};
 constexpr Commands kMachine{run,     check,   blocks,   convert, record, replay, report,
-                            surface, machine, identify, latency, pulses, diff};
+                            surface, machine, identify, latency, pulses, diff,   operate};
 constexpr Commands kReports{run,     check,   blocks, convert,  record,  replay, report, surface,
-                            compare, machine, state,  identify, latency, pulses, diff};
-constexpr Commands kMachines{run,     check,   blocks,  convert,  record,  replay, report,
-                             surface, compare, machine, identify, latency, pulses, diff};
+                            compare, machine, state,  identify, latency, pulses, diff,   operate};
+constexpr Commands kMachines{run,     check,   blocks,   convert, record, replay, report, surface,
+                             compare, machine, identify, latency, pulses, diff,   operate};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, convert, surface},
@@ -542,6 +550,7 @@ constexpr OptionEntry kOptions[] = {
      "",
      "Part program; - is standard input",
      one_file},
+    {{operate}, "PART", "", "Part program to load first", optional_file},
     {{check}, "PART", "", "Part programs, or folders of them; - is standard input", files},
     {{compare}, "PART", "", "Part programs; - is standard input", files},
     {{report},
@@ -636,26 +645,30 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (position, work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
+    {{operate},
+     "--state",
+     "FILE.toml",
+     "State file (position, work offsets, tool table, parameters), read first and written whenever "
+     "the machine rests",
+     text<&Options::state>},
     {{state}, "--state", "FILE.toml", "State file", state_file},
-    {{run, record},
-     "--assume-position",
-     "",
+    {kDrives, "--assume-position", "",
      "With --state on a port: the machine stands where the state says, its drives have kept it "
      "there",
      flag<&Options::assume_position>},
-    {kReads, "--work", "SYSTEM=X,Y,Z",
+    {kInterprets, "--work", "SYSTEM=X,Y,Z",
      "Set the origin of a work system before the first line, in mm and machine coordinates, for "
      "example G54=-200,-150,-40 (repeatable; kept by --state)",
      work_origins},
-    {kReads, "--subprograms", "DIR",
+    {kInterprets, "--subprograms", "DIR",
      "Look for called files in DIR too, after the folder of the program and before program.path "
      "(repeatable)",
      folders<&Options::subprogram_folders>},
-    {kReads, "--define", "NAME=VALUE",
+    {kInterprets, "--define", "NAME=VALUE",
      "Set a variable before the first line, for example _td=3 for #<_td>, or 100=3 for #100 "
      "(repeatable)",
      definitions},
-    {{run, record, report, machine}, "--backend", "", "Where setpoints are sent", backend},
+    {{run, record, report, machine, operate}, "--backend", "", "Where setpoints are sent", backend},
     {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
 
     {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed, not rapids (default 100)",
@@ -666,7 +679,7 @@ constexpr OptionEntry kOptions[] = {
      events},
     {kReads, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
     {kReads, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
-    {kReads, "--dialect", "",
+    {kInterprets, "--dialect", "",
      "Dialect to use where controls differ, auto: by the program "
      "(default linuxcnc)",
      dialect},
@@ -742,7 +755,12 @@ constexpr OptionEntry kOptions[] = {
      "Period of the loop (default: control.servo_period_ms)",
      period},
 
-    {{run}, "--trace", "FILE", "Write one row per period", trace},
+    {{run, operate}, "--trace", "FILE", "Write one row per period", trace},
+    {{operate},
+     "--log",
+     "FILE",
+     "Add a line for each action, and for what comes of it, to a file",
+     text<&Options::log>},
     {{run},
      "--columns",
      "NAME,...",

@@ -13,6 +13,7 @@
 #include "messages/messages.hpp"
 #include "messages/standard_output.hpp"
 #include "motion/core/units.hpp"
+#include "settings/axis_words.hpp"
 #include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
@@ -96,33 +97,6 @@ class StateText {
 
 int usage_failure(std::string message) {
   return failed({.code = Code::SC6014, .message = std::move(message)});
-}
-
-/// The numbers of words such as X10.5, by axis; `wrong` is the first word that is none.
-struct AxisWords {
-  std::array<std::optional<double>, kAxes> mm;
-  std::string wrong;
-
-  std::size_t named() const {
-    return static_cast<std::size_t>(
-        std::count_if(mm.begin(), mm.end(), [](const auto& one) { return one.has_value(); }));
-  }
-};
-
-AxisWords axis_words(std::span<const std::string> words) {
-  AxisWords found;
-  for (const std::string& word : words) {
-    const char letter = static_cast<char>(word.empty() ? ' ' : word.front() & ~0x20);
-    const auto axis = std::find(kAxisLetters.begin(), kAxisLetters.end(), letter);
-    const auto number = word.empty() ? std::nullopt : parse_mm(std::string_view(word).substr(1));
-    const auto index = static_cast<std::size_t>(axis - kAxisLetters.begin());
-    if (axis == kAxisLetters.end() || !number || found.mm[index]) {
-      found.wrong = word;
-      return found;
-    }
-    found.mm[index] = number;
-  }
-  return found;
 }
 
 /// Where a name of `state set` has its place in a state; null if there is no such name.

@@ -11,15 +11,6 @@
 #include "process/standard_error.hpp"
 
 namespace softcnc::app {
-namespace {
-
-bool is_tool_change(const runtime::Pause& pause) {
-  const auto* action = std::get_if<Action>(&pause.block.what);
-  return !pause.before && action != nullptr && action->kind == Action::Kind::tool;
-}
-
-}  // namespace
-
 Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period)
     : progress_(progress, data_on_terminal), period_(period) {}
 
@@ -45,7 +36,7 @@ void Terminal::sees(const Setpoint& latest) {
 void Terminal::pause(const runtime::Pause& pause) {
   const std::string text = instruction(pause);
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
-  if (is_tool_change(pause) && !tools_change_) return;
+  if (runtime::is_tool_change(pause) && !tools_change_) return;
   progress_.clear();
   ::tcflush(STDIN_FILENO, TCIFLUSH);
   write_to_stderr(text + ": press Enter ");

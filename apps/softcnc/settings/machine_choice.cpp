@@ -21,7 +21,8 @@ bool blocks_default(const std::string& file) {
 /// Only these commands let the backend write.
 bool writes(const Options& options) {
   return !options.dry_run &&
-         (options.command == CommandName::run || options.command == CommandName::record);
+         (options.command == CommandName::run || options.command == CommandName::record ||
+          options.command == CommandName::operate);
 }
 
 Status check_default_file(const hal::FoundMachine& found, const Options& options) {

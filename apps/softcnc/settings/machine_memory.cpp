@@ -76,6 +76,7 @@ Result<MachineState> open_state(const Options& options, Messages& messages) {
         state->work_system_entry(work.system).origin[static_cast<Eigen::Index>(axis)] =
             *work.origin[axis];
   const bool is_told = options.command == CommandName::state ||
+                       options.command == CommandName::operate ||
                        (options.command == CommandName::run && !options.dry_run);
   if (const auto warning = runtime::position_warning(*state, options.state); warning && !is_told)
     messages.show(*warning);
@@ -97,18 +98,27 @@ Result<MachineMemory> MachineMemory::open(const std::string& file) {
 }
 
 Status MachineMemory::mark_motion(MachineState before) {
-  if (!file_) return {};
+  if (name_.empty()) return {};
   before.position = KeptPosition{before.place(), true};
   in_file_.reset();
   return hal::write_file(name_, hal::state_toml(before));
 }
 
-Result<bool> MachineMemory::keep(const MachineState& state) {
-  const std::string text = hal::state_toml(state);
-  if (!file_ || (in_file_ && text == hal::state_toml(*in_file_))) return false;
+/// The first time into the file that was opened before anything moved.
+Status MachineMemory::write(const std::string& text) {
+  if (!file_) return hal::write_file(name_, text);
   Status written = file_->write(text);
   if (written) written = file_->finish();
+  file_.reset();
+  return written;
+}
+
+Result<bool> MachineMemory::keep(const MachineState& state) {
+  const std::string text = hal::state_toml(state);
+  if (name_.empty() || (in_file_ && text == hal::state_toml(*in_file_))) return false;
+  Status written = write(text);
   if (!written) return tl::make_unexpected(std::move(written.error()));
+  in_file_ = state;
   return true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The state file of the command line: read before a program begins, marked before the machine
-// moves, and written after a run.
+// moves, and written once it rests.
 #pragma once
 
 #include <memory>
@@ -50,8 +50,8 @@ class MachineMemory {
   /// Notes in the file, before the first setpoint of a motion, that the machine has left its place:
   /// whatever ends the process, the next one finds that. Errors: SC6011, SC6012.
   Status mark_motion(MachineState before);
-  /// Writes a state that is not in the file and returns whether it has. Errors: SC6012. The file
-  /// stays whole.
+  /// Writes a state that is not in the file and returns whether it has, as often as it is asked to.
+  /// Errors: SC6012. The file stays whole.
   Result<bool> keep(const MachineState& state);
 
   const std::string& file() const noexcept { return name_; }
@@ -62,9 +62,11 @@ class MachineMemory {
         lock_(std::make_unique<hal::FileLock>(std::move(lock))),
         file_(std::move(file)) {}
 
+  Status write(const std::string& text);
+
   std::string name_;
   std::unique_ptr<hal::FileLock> lock_;
-  std::unique_ptr<hal::OutputFile> file_;
+  std::unique_ptr<hal::OutputFile> file_;  // until something has been kept
   std::optional<MachineState> in_file_;
 };
 

@@ -40,7 +40,8 @@ enum class CommandName : std::uint8_t {
   pulses,
   codes,
   circle,
-  convert
+  convert,
+  operate
 };
 
 /// How a table is written.
@@ -61,7 +62,7 @@ struct Options {
   std::vector<std::string> machine_files;  // compare: instead of machine_file, each as there
   std::vector<std::string> settings;       // KEY=VALUE, on top of it
   std::string state;                       // file; empty: none
-  bool assume_position = false;            // run, record: the machine stands where it says
+  bool assume_position = false;            // run, record, operate: the machine stands where it says
   std::vector<std::string> action;         // state: "show", or "set" and what is set
   std::vector<WorkOrigin> work;            // of --work, on top of it
 
@@ -86,6 +87,7 @@ struct Options {
   bool dry_run = false, watch = false;
   bool realtime = false;                      // run, record: as fast as the clock goes
   std::string trace, report;                  // files; empty: none
+  std::string log;                            // operate: file; empty: none
   std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
   std::string output;                         // of record, surface, compare, identify, convert
   bool actual = false;                        // surface: cut by where the simulated mill is

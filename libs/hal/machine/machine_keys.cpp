@@ -60,6 +60,9 @@ auto& in_tool(Machine& machine, int number) {
 }
 std::string& machine_name(Machine& machine, int) { return machine.name; }
 std::vector<double>& stock_origin(Machine& machine, int) { return machine.stock.origin; }
+std::vector<double>& tool_change_place(Machine& machine, int) {
+  return machine.attendance.tool_change;
+}
 template <int axis>
 double& stock_size(Machine& machine, int) {
   return machine.stock.size[axis];
@@ -307,6 +310,12 @@ const MachineKey kMachineKeys[] = {
 
     {"probe.radius_mm", "mm", "radius of the ball of a probe, where no [tool.*] is in the spindle",
      NumberKey{in_part<&Machine::probe, &Probe::radius>, unconverted, unconverted, length_or_0(1e3)}},
+    {"tool_change.at", "mm", "X, Y and Z of the place to which the machine moves before a tool is changed by hand, in machine coordinates (docs/operating.md); []: it stays where it is",
+     PointKey{tool_change_place, {-1e5, 1e5}}},
+    {"operate.alone_s", "s", "how long the spindle goes on turning where the operator's terminal has gone and the machine has come to rest",
+     NumberKey{in_part<&Machine::attendance, &Attendance::alone>, unconverted, unconverted, at_least_0(86400)}},
+    {"tool.*.name", "", "description of the tool, for whoever puts it into the spindle",
+     TextKey{in_tool<&Tool::name>}},
     {"tool.*.length_mm", "mm", "how far the tool reaches below the control point, for simulated contacts",
      NumberKey{in_tool<&Tool::length>, unconverted, unconverted, length_or_0(1e4)}},
     {"tool.*.radius_mm", "mm", "radius of the cutter",

@@ -225,6 +225,7 @@ LoadedOrErrors MachineLoader::finish() {
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
     for (int axis = 0; axis < kAxes; ++axis) check_home(axis);
     check_devices();
+    check_tool_change();
     for (int axis = 0; axis < kAxes; ++axis) check_plant(axis);
     check_compensation();
     const Control& control = loaded_.machine.control;

@@ -82,6 +82,7 @@ class MachineLoader {
   void check_travel(int index);
   void check_home(int index);
   void check_devices();
+  void check_tool_change();
   void check_method();
   void check_rough_period();
   void check_averages();

@@ -2,6 +2,8 @@
 // M codes, outputs and inputs of a machine file and of settings.
 #include <algorithm>
 
+#include "hal/files/axis_name.hpp"
+#include "hal/files/number.hpp"
 #include "hal/machine/device_keys.hpp"
 #include "hal/machine/machine_loader.hpp"
 #include "motion/core/spelling.hpp"
@@ -68,6 +70,18 @@ void MachineLoader::check_devices() {
     const auto place = std::find_if(found.keys.begin(), found.keys.end(), is_given);
     if (place != found.keys.end())
       fail(found.code, loaded_.given.find(*place)->second, found.message);
+  }
+}
+
+void MachineLoader::check_tool_change() {
+  const std::vector<double>& at = loaded_.machine.attendance.tool_change;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Axis& axis = loaded_.machine.axes[i];
+    if (!axis.present || (at[i] >= axis.min && at[i] <= axis.max)) continue;
+    const std::string name = "axis." + axis_name(static_cast<int>(i));
+    clash(Code::SC7029, {"tool_change.at", name + ".min_mm", name + ".max_mm"},
+          "tool_change.at: " + number_text(at[i]) + " is beyond the travel of " + name + " from " +
+              number_text(axis.min) + " to " + number_text(axis.max));
   }
 }
 

@@ -222,7 +222,8 @@ struct ProgramReading {
 struct Tool {
   double radius = 0;  // mm
   int teeth = 0;
-  double length = 0;  // mm: how far it reaches below the control point, for simulated contacts
+  double length = 0;   // mm: how far it reaches below the control point, for simulated contacts
+  std::string name{};  // for whoever puts it into the spindle
 };
 
 /// The material that the simulated surface is cut from, as a grid seen from above.
@@ -246,6 +247,13 @@ struct Probe {
   double radius = 0;  // mm: of its ball
 };
 
+/// What a machine does for the person who stands at it.
+struct Attendance {
+  std::vector<double> tool_change;  // mm, machine coordinates: where tools are changed by hand;
+                                    // empty: where the machine is
+  double alone = 30;                // s: so long the spindle turns once nobody is there any more
+};
+
 struct Machine {
   std::string name = "retrofitted mill (built-in)";
   Control control;
@@ -260,6 +268,7 @@ struct Machine {
   Stock stock;
   std::map<int, Tool> tools;
   Probe probe;
+  Attendance attendance;
   std::map<std::string, ContactBody> contacts;  // by name: what a probe touches in simulation
   std::map<int, MachineCode> m_codes;           // by number: those of its builder or user
   OutputPorts outputs;

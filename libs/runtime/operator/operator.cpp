@@ -74,9 +74,10 @@ Status Operator::line(std::string_view text) {
   return whole.empty() ? Status() : run(whole, false);
 }
 
-Status Operator::start(std::string_view program) {
+Status Operator::start(std::string_view program, const std::string& folder) {
   if (const auto answer = answered_to_run(Request::start)) return *answer;
   open_.forget();
+  options_.interpreter.folder = folder;
   if (mode_ != MachineMode::check) begin_session(state());
   return run(program, true);
 }
@@ -154,14 +155,19 @@ void Operator::settle_jog() {
   if (rests_in_) return ended();
   if (homing_) return home_on();
   if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = mode_at_rest();
-  if (returning_) go_on();
+  if (!returning_) return;
+  if (!return_point()) return go_on();
+  returning_ = false;  // what has stopped it has been reported
+  mode_ = MachineMode::hold;
 }
 
 void Operator::settle_program() {
   if (session_->status() == SessionStatus::paused && !rests_in_) {
     last_ = session_->last();
     follow_outputs();
-    if (mode_ == MachineMode::run) mode_ = MachineMode::hold;
+    if (mode_ != MachineMode::run) return;
+    mode_ = MachineMode::hold;
+    if (is_tool_change(*session_->pause())) change_tool();
     return;
   }
   if (session_->status() == SessionStatus::running) return;
@@ -175,7 +181,12 @@ void Operator::settle_program() {
   mode_ = mode_ == MachineMode::door ? mode_ : mode_at_rest();
 }
 
-MachineState Operator::state() {
+AxisVector Operator::to_go() const noexcept {
+  const auto goal = jog_ ? jog_end_ : session_->goal();
+  return goal && in_motion() ? AxisVector(*goal - last_.position) : AxisVector(AxisVector::Zero());
+}
+
+MachineState Operator::state() const {
   MachineState state = session_->state();
   state.position = KeptPosition{last_.position, !known_ || moving()};
   return state;

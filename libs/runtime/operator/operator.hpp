@@ -43,9 +43,10 @@ class Operator {
   Status line(std::string_view text);
   /// Returns whether line() waits for the end of a loop or a subprogram.
   bool is_line_open() const noexcept { return open_.is_open(); }
-  /// Runs a program from its beginning, with the modes at the start of a program. Errors: SC5070,
-  /// SC5080.
-  Status start(std::string_view program);
+  /// Runs a program from its beginning, with the modes at the start of a program; what it calls is
+  /// looked for in `folder`. Where it changes a tool, spindle and coolant go off, the machine moves
+  /// to the place of the machine file, if that has one, and waits in Hold. Errors: SC5070, SC5080.
+  Status start(std::string_view program, const std::string& folder = {});
   /// Moves by hand, behind the jogs before; in Hold too, from where resume() comes back first.
   /// Where the position is not known it is slow, and no end of travel counts; in Alarm, after a
   /// limit switch, only slowly away from that. Errors: SC4001, SC5080.
@@ -63,8 +64,9 @@ class Operator {
 
   /// Comes to rest on the path. A jog ends.
   Status hold();
-  /// Goes on after a hold, a pause or a closed door: first back along return_point(), then, after a
-  /// door, once the spindle has its speed.
+  /// Goes on after a hold, a pause or a closed door: first back to return_point(), in X and Y at
+  /// the greater of both heights; then, after a door or a change of the tool, once the spindle has
+  /// its speed.
   Status resume();
   /// Comes to rest on the path and ends the program, or the jog.
   Status abort();
@@ -108,10 +110,26 @@ class Operator {
   std::optional<Row> step();
 
   MachineMode mode() const noexcept { return mode_; }
+  /// Returns whether step() may give a row that moves the machine.
+  bool in_motion() const noexcept {
+    return moving() || jog_ || mode_ == MachineMode::run || mode_ == MachineMode::home;
+  }
+  /// Returns whether a program runs or is held.
+  bool in_program() const noexcept { return running_ && is_program_; }
+  /// Returns what a program waits for in Hold; null: for nothing but resume().
+  const Pause* pause() const noexcept { return running_ ? session_->pause() : nullptr; }
   bool moving() const noexcept { return last_.v > kStandstill; }
   /// Returns whether position() is where the machine is.
   bool knows_position() const noexcept { return known_; }
   const AxisVector& position() const noexcept { return last_.position; }
+  /// Returns a place in the coordinates of lines that come next: Session::programmed().
+  AxisVector programmed(const AxisVector& place) const noexcept {
+    return session_->programmed(place);
+  }
+  /// Returns the length of the unit of lines that come next, mm.
+  double mm_per_unit() const noexcept { return session_->mm_per_unit(); }
+  /// Returns how far it is to the end of the present move, mm.
+  AxisVector to_go() const noexcept;
   /// Returns the last row.
   const Setpoint& last() const noexcept { return last_; }
   /// Returns what is switched on.
@@ -120,7 +138,7 @@ class Operator {
   /// there.
   std::optional<AxisVector> return_point() const noexcept;
   /// Returns what a new process has to know; in motion, and where it is not known, with the mark.
-  MachineState state();
+  MachineState state() const;
 
  private:
   static constexpr double kStandstill = 1e-6;  // mm/s: rounding, where a move ends
@@ -141,6 +159,8 @@ class Operator {
   void pause_motion();
   std::int64_t periods_to_speed() const noexcept;
   void go_on();
+  void change_tool();
+  void move_over_to(const AxisVector& place);
   MachineMode mode_at_rest() const noexcept {
     return door_open_ ? MachineMode::door : locked_ ? MachineMode::alarm : MachineMode::idle;
   }
@@ -170,10 +190,10 @@ class Operator {
   bool locked_ = false;                      // it has begun in Alarm, and not come to its end
   OpenText open_;
   Setpoint last_;
-  bool begun_ = false;            // there is a last row
-  bool known_;                    // the position
-  Outputs outputs_, programmed_;  // with the override of the spindle, and without
-  Outputs before_door_;
+  bool begun_ = false;                 // there is a last row
+  bool known_;                         // the position
+  Outputs outputs_, programmed_;       // with the override of the spindle, and without
+  std::optional<Outputs> before_off_;  // by a door or for a change of the tool
   bool running_ = false, is_program_ = false;
   std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
   bool returning_ = false;               // to that place

@@ -56,7 +56,8 @@ Status Operator::jog(const Jog& jog) {
 /// A feed of 0 stands for a rapid.
 void Operator::move_by_hand(const AxisVector& to, double feed) {
   if (!jog_) {
-    jog_.emplace(known_ && !homing_ ? machine_ : free_machine_,
+    const bool keeps_travel = known_ && !homing_ && !returning_;  // where it was it may be again
+    jog_.emplace(keeps_travel ? machine_ : free_machine_,
                  of_jog(options_, last_.position, outputs_), backend_, sink_, report_);
     if (begun_) jog_->count_on_from(last_);
     jog_->set_rapid_override(rapid_override_);  // of the way back
@@ -65,6 +66,27 @@ void Operator::move_by_hand(const AxisVector& to, double feed) {
   if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
   jog_->rest();
   jog_end_ = to;
+}
+
+void Operator::move_over_to(const AxisVector& place) {
+  const AxisVector& from = last_.position;
+  const AxisVector above = place[2] < from[2] ? AxisVector(place[0], place[1], from[2])
+                                              : AxisVector(from[0], from[1], place[2]);
+  move_by_hand(above, 0);
+  move_by_hand(place, 0);
+}
+
+/// The program waits behind M06: spindle and coolant off, and to the place where a person reaches
+/// the tool.
+void Operator::change_tool() {
+  if (!before_off_) before_off_ = outputs_;
+  outputs_ = {};
+  session_->switch_off();
+  send_outputs();
+  const std::vector<double>& at = machine_.attendance.tool_change;
+  if (at.empty()) return;
+  left_ = last_.position;
+  move_over_to(AxisVector(at[0], at[1], at[2]));
 }
 
 Status Operator::cancel() {

@@ -33,9 +33,10 @@ std::optional<AxisVector> Operator::return_point() const noexcept {
 Status Operator::resume() {
   if (const auto answer = answered(Request::resume)) return *answer;
   if (jog_) return refusal("resume: a jog has not ended yet");
-  if (mode_ == MachineMode::door) {
-    if (door_open_) return refusal("resume: the door is open");
-    outputs_ = before_door_;
+  if (mode_ == MachineMode::door && door_open_) return refusal("resume: the door is open");
+  const bool turns_on = before_off_.has_value();
+  if (turns_on) {
+    outputs_ = *std::exchange(before_off_, std::nullopt);
     session_->switch_on();
   }
   if (!running_) {
@@ -43,11 +44,11 @@ Status Operator::resume() {
     mode_ = mode_at_rest();
     return {};
   }
-  if (mode_ == MachineMode::door) waits_ = periods_to_speed();
+  if (turns_on) waits_ = periods_to_speed();
   mode_ = MachineMode::run;
   if (const auto back = return_point()) {
     returning_ = true;
-    move_by_hand(*back, 0);
+    move_over_to(*back);
   } else {
     go_on();
   }
@@ -82,7 +83,7 @@ void Operator::end_in(MachineMode mode) {
 
 void Operator::ended() {
   if (std::exchange(resets_, false)) switch_off();
-  if (mode_ == MachineMode::door) programmed_ = {};  // off they stay
+  if (std::exchange(before_off_, std::nullopt)) programmed_ = {};  // off they stay
   open_.forget();
   waits_ = 0;
   begin_session(state());
@@ -110,7 +111,8 @@ Status Operator::door() {
   if (const auto answer = answered(Request::door)) return *answer;
   pause_motion();
   returning_ = false;
-  before_door_ = std::exchange(outputs_, {});
+  if (!before_off_) before_off_ = outputs_;
+  outputs_ = {};
   session_->switch_off();
   if (jog_) jog_->switch_off();
   if (!moving()) send_outputs();
@@ -176,6 +178,7 @@ void Operator::estop() {
   homing_.reset();
   judged_.reset();
   rests_in_.reset();
+  before_off_.reset();
   resets_ = false;
   waits_ = 0;
   open_.forget();

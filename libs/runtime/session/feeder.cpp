@@ -109,11 +109,19 @@ void Feeder::end_at_last_block() {
   ended_ = true;
 }
 
-/// With single block before every block but the first, and those that wait by themselves.
+/// Returns whether a block that has been read ends at rest for a single block.
+bool Feeder::was_single(int number) const noexcept {
+  const auto later =
+      std::upper_bound(single_.begin(), single_.end(), number,
+                       [](int block, const auto& change) { return block < change.first; });
+  return later != single_.begin() && later[-1].second;
+}
+
+/// Behind every single block but the last, and those that wait by themselves.
 void Feeder::find_pauses(const ipo::TimedBlock& timed) {
   const Block& block = timed.block;
   const bool is_next = last_block_ && *last_block_ != block.number;
-  if (options_.single_block && is_next && !is_pause(block))
+  if (is_next && was_single(*last_block_) && !is_pause(block))
     pauses_.push_back({block, timed.t_start, true});
   last_block_ = block.number;
   if (is_pause(block) && block.number != answered_)
@@ -194,6 +202,8 @@ bool Feeder::read_block() {
     return true;
   }
   const bool good = block && diagnostics_.errors() == 0;
+  if (good && (single_.empty() || single_.back().second != options_.single_block))
+    single_.emplace_back(block->number, options_.single_block);
   if (good && options_.single_block) end_at_rest(*block);
   if (good) {
     if (auto wait = spindle_.before(*block)) plan(std::move(*wait));

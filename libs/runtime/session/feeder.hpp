@@ -111,6 +111,7 @@ class Feeder {
   bool is_endless();
   void read_unplanned(std::optional<Block> block);
   void find_pauses(const ipo::TimedBlock& timed);
+  bool was_single(int number) const noexcept;
   void begin_replan(const ipo::BlockQueue& queue, const ipo::FeedControl& asked);
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
@@ -132,6 +133,7 @@ class Feeder {
   DelayPlace delay_place_;  // and where it rests for so long
   SourcePos last_place_;    // of the block planned last
   int last_number_ = 0;
+  std::vector<std::pair<int, bool>> single_;  // single block, from the block of a number on
   int answered_ = 0;               // the number of the block whose pause has been answered last
   bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue

@@ -106,7 +106,7 @@ SessionStatus Session::end_of_motion() noexcept {
 }
 
 /// Where all that has been fed has been run, lines without a block count too.
-MachineState Session::state() {
+MachineState Session::state() const {
   const bool is_run = (rests_ && status_ == SessionStatus::waiting) ||
                       status_ == SessionStatus::done || status_ == SessionStatus::error;
   MachineState state = is_run && !requests_.stops() ? channel_->feeder().memory().modal.state
@@ -197,6 +197,15 @@ Row Session::exchange(const Setpoint& setpoint) {
   last_ = row;
   if (sink_ && !sink_->row(row, values_)) requests_.stop();
   return {row, feedback, values_};
+}
+
+AxisVector Session::programmed(const AxisVector& place) const noexcept {
+  return channel_->feeder().memory().modal.coordinates.to_program(place);
+}
+
+std::optional<AxisVector> Session::goal() const noexcept {
+  const Move* move = channel_->queue().empty() ? nullptr : channel_->queue().front().move();
+  return move == nullptr ? std::nullopt : std::optional(softcnc::end(move->path));
 }
 
 void Session::set_spindle_override(double spindle_override) noexcept {

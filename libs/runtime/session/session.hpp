@@ -112,7 +112,7 @@ class Session {
   Measured measured() const noexcept { return verification_->measured(); }
   std::optional<ContourReport> contour() const;
   /// Returns offsets, tools, variables and position as programs that follow find them.
-  MachineState state();
+  MachineState state() const;
   /// Returns the length of the unit in which the lines that follow are read, mm.
   double mm_per_unit() const noexcept { return channel_->feeder().memory().modal.mm_per_unit; }
   /// Returns what is switched on at the place of the last row, or of the pause, at the speed that
@@ -123,6 +123,15 @@ class Session {
   /// Everything is off, whatever the program has switched, until switch_on().
   void switch_off() noexcept { off_ = true; }
   void switch_on() noexcept { off_ = false; }
+  /// Returns the pause at which the session waits for resume(); null: at none.
+  const Pause* pause() const noexcept {
+    return status_ == SessionStatus::paused ? &channel_->feeder().pauses().front() : nullptr;
+  }
+  /// Returns a place of the machine in the coordinates of the lines that have been read, mm: these
+  /// are ahead of the motion.
+  AxisVector programmed(const AxisVector& place) const noexcept;
+  /// Returns where the present move ends, mm, machine coordinates; nothing between moves.
+  std::optional<AxisVector> goal() const noexcept;
   /// Returns the last row, without pulses and fine points; at a pause, where the machine rests.
   const Setpoint& last() const noexcept { return last_; }
   /// Returns where the last row was, mm; before the first one, where the session begins.

@@ -19,6 +19,12 @@ struct Pause {
   bool before = false;  // the block, which is the next one; or after it: M00, M01 or M06
 };
 
+/// Returns whether the pause is one for a change of the tool.
+inline bool is_tool_change(const Pause& pause) noexcept {
+  const auto* action = std::get_if<Action>(&pause.block.what);
+  return !pause.before && action != nullptr && action->kind == Action::Kind::tool;
+}
+
 /// Why a program is read: to see whether it ends, or to run it.
 enum class Reading : std::uint8_t { before, run };
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "operate/attended_machine.hpp"
+
+#include <algorithm>
+
+#include "hal/machine/machine_file.hpp"
+#include "hal/ports/ppdev.hpp"
+#include "hal/trace/trace.hpp"
+#include "job/open_player.hpp"
+#include "job/preflight.hpp"
+#include "runtime/operator/position_status.hpp"
+#include "runtime/sinks/contour_rows.hpp"
+#include "settings/file_clash.hpp"
+#include "settings/machine_choice.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// s of rows ahead of the clock, for a machine outside that must not wait for one: planning may
+/// take so long.
+constexpr double kLead = 0.1;
+
+Result<std::unique_ptr<hal::PortPlayer>> open_leading_player(const Machine& machine) {
+  auto port = hal::Ppdev::open(machine.parallel_port.device);
+  if (!port) return tl::make_unexpected(std::move(port.error()));
+  return open_player(machine, std::move(*port), kLead);
+}
+
+bool has_home_switches(const Machine& machine) {
+  return std::any_of(machine.axes.begin(), machine.axes.end(),
+                     [](const Axis& axis) { return has_home_switch(axis); });
+}
+
+/// A machine that can find its zero, and whose place was never kept, does not know where it is.
+bool knows_place(const MachineState& state, const Machine& machine, bool confirmed) {
+  if (!state.position && has_home_switches(machine)) return false;
+  const auto status = runtime::position_status(state, machine.control.backend);
+  return status == runtime::PositionStatus::known ||
+         (status == runtime::PositionStatus::assumed && confirmed);
+}
+
+Result<runtime::TraceRows> open_rows(const std::string& file, const Machine& machine,
+                                     const hal::Backend& backend) {
+  if (file.empty()) return runtime::TraceRows(nullptr);
+  const hal::TraceHeader header{machine.control.period, "-",
+                                hal::hash_hex(hal::machine_toml(machine))};
+  auto writer = hal::TraceWriter::open(file, header, machine, runtime::row_columns(backend));
+  if (!writer) return tl::make_unexpected(std::move(writer.error()));
+  return runtime::TraceRows(std::move(*writer));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& options,
+                                                               Messages& messages,
+                                                               Diagnostics::Sink report) {
+  const std::string part = options.files.empty() ? "-" : options.files.front();
+  auto choice = choose_machine(part, options, messages);
+  if (!choice) return tl::make_unexpected(std::move(choice.error()));
+  if (const std::string clash = file_clash(options, choice->machine); !clash.empty())
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC7072, .message = clash, .file = options.machine_file});
+  MachineMemory memory;
+  if (!options.state.empty()) {
+    auto opened = MachineMemory::open(options.state);
+    if (!opened) return tl::make_unexpected(std::move(opened.error()));
+    memory = std::move(*opened);
+  }
+  auto state = open_state(options, messages);
+  if (!state) return tl::make_unexpected(std::move(state.error()));
+  if (options.work.empty()) memory.read(*state);
+  std::unique_ptr<AttendedMachine> opened(
+      new AttendedMachine(std::move(choice->machine), std::move(memory)));
+  const Machine& machine = opened->machine_;
+  opened->options_ = channel_options(options, {});
+  opened->options_.state = std::move(*state);
+  if (!knows_place(opened->options_.state, machine, options.assume_position))
+    opened->options_.state.position = KeptPosition{opened->options_.state.place(), true};
+  auto backend = hal::open_backend(machine, open_leading_player);
+  if (!backend) return tl::make_unexpected(std::move(backend.error()));
+  opened->backend_ = std::move(*backend);
+  auto rows = open_rows(options.trace, machine, *opened->backend_);
+  if (!rows) return tl::make_unexpected(std::move(rows.error()));
+  opened->rows_.emplace(std::move(*rows));
+  opened->control_.emplace(machine, opened->options_, *opened->backend_, &*opened->rows_,
+                           std::move(report));
+  return opened;
+}
+
+runtime::ChannelOptions AttendedMachine::checking_options() const {
+  runtime::ChannelOptions options = options_;
+  options.state = control_->state();
+  options.outputs = control_->outputs();
+  return options;
+}
+
+Status AttendedMachine::mark_motion() {
+  if (is_marked_ || !control_->in_motion()) return {};
+  is_marked_ = true;
+  return memory_.mark_motion(control_->state());
+}
+
+Status AttendedMachine::keep_state() {
+  if (control_->in_motion() || (is_kept_ && !is_marked_)) return {};
+  is_kept_ = true;
+  is_marked_ = false;
+  const auto kept = memory_.keep(control_->state());
+  return kept ? Status() : tl::make_unexpected(kept.error());
+}
+
+Status AttendedMachine::advance(double now) {
+  const double lead = moves_machine(machine_.control.backend) ? kLead : 0;
+  next_ = std::max(next_.value_or(now), now - kMostLate);
+  for (; *next_ <= now + lead; *next_ += machine_.control.period) {
+    if (Status marked = mark_motion(); !marked) return marked;
+    if (control_->step()) ++rows_taken_;
+  }
+  return keep_state();
+}
+
+Status AttendedMachine::finish() {
+  note_change();
+  Status ended = keep_state();
+  if (Status rows = rows_->finish(); ended && !rows) ended = std::move(rows);
+  if (Status backend = backend_->finish(); ended && !backend) ended = std::move(backend);
+  return ended;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What is typed at the prompts of the console.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "operate/console.hpp"
+#include "operate/views.hpp"
+
+namespace softcnc::app {
+
+void Console::open(Prompt prompt) {
+  answers_.clear();
+  state_.prompt = std::move(prompt);
+}
+
+void Console::show(Page page) {
+  state_.page = page;
+  state_.selection = 0;
+}
+
+void Console::ask_for_row() {
+  const std::string unit = unit_text(machine_);
+  if (state_.page == Page::work) {
+    open({Prompt::For::work, fmt::format("origin of {} in {}, as X-200 Y-150: ",
+                                         work_system_name(state_.selection), unit)});
+  } else if (const auto tool = selected_tool(); tool && state_.page == Page::tools) {
+    open({Prompt::For::tool, fmt::format("T{} in {}, as Z-62.5 R3: ", *tool, unit)});
+  }
+}
+
+std::optional<int> Console::selected_tool() const {
+  const auto tools = known_tools(machine_.machine(), machine_.control().state());
+  return state_.selection < tools.size() ? std::optional(tools[state_.selection]) : std::nullopt;
+}
+
+/// Of the page of tools: m measures by where the tip stands, g puts a tool into the spindle.
+void Console::key_of_tools(const Key& key) {
+  const auto tool = selected_tool();
+  if (!tool) return;
+  if (key == key_of('m'))
+    open({Prompt::For::tip,
+          fmt::format("T{}: its tip stands at work Z, in {}: ", *tool, unit_text(machine_))});
+  if (key == key_of('g')) {
+    show(Page::main);
+    requests_.line(fmt::format("T{} M06\nG43", *tool));
+  }
+}
+
+void Console::take(const std::string& text) {
+  const Prompt::For what = state_.prompt->what;
+  if (what == Prompt::For::line) {
+    if (text.empty()) state_.prompt.reset();
+    if (!text.empty()) requests_.line(text);
+    return;
+  }
+  state_.prompt.reset();
+  const bool may_be_empty = what == Prompt::For::position;
+  if (text.empty() && !may_be_empty) return;
+  switch (what) {
+    case Prompt::For::line:
+      break;
+    case Prompt::For::program:
+      return load(text);
+    case Prompt::For::touch_off:
+      take_place(text, &Requests::touch_off);
+      break;
+    case Prompt::For::position:
+      take_place(text, &Requests::stand_at);
+      break;
+    case Prompt::For::probe:
+      return take_probe(text);
+    case Prompt::For::work:
+      requests_.line(fmt::format("G10 L2 P{} {}", state_.selection + 1, text));
+      break;
+    case Prompt::For::tool:
+      if (const auto tool = selected_tool())
+        requests_.line(fmt::format("G10 L1 P{} {}", *tool, text));
+      break;
+    case Prompt::For::tip:
+      if (const auto tool = selected_tool())
+        requests_.line(fmt::format("G10 L10 P{} Z{}", *tool, text));
+      break;
+  }
+}
+
+bool Console::take_place(const std::string& text,
+                         bool (Requests::*request)(const AxisWords&, const std::string&)) {
+  const AxisWords place = axis_words(words_of(text));
+  if (place.wrong.empty()) return (requests_.*request)(place, text);
+  journal_.add(EntryKind::action, text);
+  journal_.add(EntryKind::fault, "'" + place.wrong + "' is not an axis in mm, as X-12.5");
+  return false;
+}
+
+/// "Z-20" or "Z-20=0": the distance to probe over, and the work coordinate of what is touched.
+/// Where the tip was at the contact gets that coordinate, and the machine goes back.
+void Console::take_probe(const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const AxisWords way = axis_words(words_of(text.substr(0, equals)));
+  const auto wanted = equals < text.size() ? parse_mm(text.substr(equals + 1)) : std::nullopt;
+  const bool is_wrong = !way.wrong.empty() || way.named() != 1 || (equals < text.size() && !wanted);
+  if (is_wrong) {
+    journal_.add(EntryKind::action, "probe " + text);
+    return journal_.add(EntryKind::fault, "one axis and how far in mm, as Z-20, or Z-20=0");
+  }
+  const auto axis = static_cast<std::size_t>(
+      std::find_if(way.mm.begin(), way.mm.end(), [](const auto& mm) { return mm.has_value(); }) -
+      way.mm.begin());
+  const char letter = kAxisLetters[axis];
+  std::string lines = fmt::format("M70\nG21 G91 G38.2 {}{} F100\nG90\n", letter, *way.mm[axis]);
+  if (wanted)
+    lines +=
+        fmt::format("G10 L20 P0 {}[{} + #{} - #{}]\n", letter, *wanted, 5420 + axis, 5061 + axis);
+  const Axis& travel = machine_.machine().axes[axis];
+  const double begin = machine_.control().position()[static_cast<Eigen::Index>(axis)];
+  lines += fmt::format("G53 G00 {}{}\nM72", letter, std::clamp(begin, travel.min, travel.max));
+  requests_.line(lines);
+}
+
+}  // namespace softcnc::app
