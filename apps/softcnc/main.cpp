@@ -80,6 +80,8 @@ int dispatch(const Options& options) {
       return convert(options);
     case CommandName::operate:
       return operate(options);
+    case CommandName::serve:
+      return serve(options);
     case CommandName::record:
       return record(options);
     case CommandName::replay:

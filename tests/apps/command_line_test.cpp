@@ -10,7 +10,7 @@ using namespace softcnc::app::test;
 namespace {
 
 const std::string kKnown =
-    "; the commands are run, check, blocks, convert, operate, record, replay, diff, report, "
+    "; the commands are run, check, blocks, convert, operate, serve, record, replay, diff, report, "
     "surface, compare, circle, identify, machine, state, latency, pulses, codes\nRun with --help "
     "for more information.\n";
 

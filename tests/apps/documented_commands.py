@@ -28,7 +28,13 @@ SECONDS = 120
 BUILDS = "installs packages and builds"
 MEASURES = "builds, and measures for minutes to hours"
 OPERATES = "needs a person at a terminal; tests/apps/operate_session.py is one"
+SERVES = "serves until it is ended; tests/apps/serve_clients.py connects to it"
 LEFT_OUT = {
+    "softcnc serve": SERVES,
+    "softcnc serve [PART]": SERVES,
+    "softcnc serve --pty grbl": SERVES,
+    "softcnc serve --pty grbl --state mill.state.toml": SERVES,
+    "softcnc serve part.nc --pty grbl": SERVES,
     "softcnc operate": OPERATES,
     "softcnc operate [PART]": OPERATES,
     "softcnc operate PART --state mill.toml": OPERATES,

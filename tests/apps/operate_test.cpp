@@ -402,12 +402,12 @@ TEST_CASE("whatever is typed, limits hold in every period, and only jog keys jog
     last = desk.place();
     for (const double end = desk.now + seconds; desk.now < end; desk.now += kDrivenPeriod) {
       const bool was_known = desk.control().knows_position();
-      const double moved = desk.machine->moved_time();
+      const auto period = desk.control().last().period;
       REQUIRE(desk.console.advance(desk.now).has_value());
       const AxisVector now = (desk.place() - last) / kDrivenPeriod;
       const bool breaks = desk.control().mode() == MachineMode::alarm ||
                           desk.control().pause() != nullptr ||  // its place is no row
-                          desk.machine->moved_time() > moved + 1.5 * kDrivenPeriod ||
+                          desk.control().last().period > period + 1 ||
                           desk.control().knows_position() != was_known || now.norm() > 1000;
       known = breaks ? 0 : known + 1;
       if (known > 2) {

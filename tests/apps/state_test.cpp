@@ -6,7 +6,7 @@
 
 #include "apps/shell.hpp"
 #include "hal/machine/state_file.hpp"
-#include "runtime/session/state_history.hpp"
+#include "runtime/session/block_history.hpp"
 #include "settings/machine_memory.hpp"
 #include "support/shown.hpp"
 
@@ -160,7 +160,7 @@ TEST_CASE("only a state that has changed is written", "[apps][state]") {
 }
 
 TEST_CASE("after a stop the state is that of the block where it rests", "[apps][state]") {
-  runtime::StateHistory states(at_x(0));
+  runtime::BlockHistory<MachineState> states(at_x(0));
   states.add(1, at_x(0));
   states.add(2, at_x(2));
   states.add(3, at_x(2));

@@ -22,12 +22,13 @@ const std::set<Code> kWithoutPlace{
     Code::SC5040, Code::SC5041, Code::SC5050, Code::SC5060, Code::SC5070, Code::SC5071,
     Code::SC5072, Code::SC5080, Code::SC5090, Code::SC6001, Code::SC6002, Code::SC6003,
     Code::SC6004, Code::SC6011, Code::SC6012, Code::SC6013, Code::SC6014, Code::SC6015,
-    Code::SC6016, Code::SC6017, Code::SC6018, Code::SC6021, Code::SC6022, Code::SC6023,
-    Code::SC6024, Code::SC6025, Code::SC6026, Code::SC6032, Code::SC6041, Code::SC6050,
-    Code::SC6060, Code::SC6062, Code::SC6070, Code::SC6071, Code::SC6072, Code::SC6073,
-    Code::SC6074, Code::SC6075, Code::SC6076, Code::SC6081, Code::SC6084, Code::SC6085,
-    Code::SC6090, Code::SC6100, Code::SC7003, Code::SC7014, Code::SC7017, Code::SC7031,
-    Code::SC7032, Code::SC7033, Code::SC7038, Code::SC7050, Code::SC7072, Code::SC9001};
+    Code::SC6016, Code::SC6017, Code::SC6018, Code::SC6019, Code::SC6021, Code::SC6022,
+    Code::SC6023, Code::SC6024, Code::SC6025, Code::SC6026, Code::SC6032, Code::SC6041,
+    Code::SC6050, Code::SC6060, Code::SC6062, Code::SC6070, Code::SC6071, Code::SC6072,
+    Code::SC6073, Code::SC6074, Code::SC6075, Code::SC6076, Code::SC6081, Code::SC6084,
+    Code::SC6085, Code::SC6090, Code::SC6100, Code::SC7003, Code::SC7014, Code::SC7017,
+    Code::SC7031, Code::SC7032, Code::SC7033, Code::SC7038, Code::SC7050, Code::SC7072,
+    Code::SC9001};
 
 struct Asserted {
   std::set<std::string> with_place, without_place;

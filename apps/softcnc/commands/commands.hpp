@@ -11,6 +11,7 @@ int check(const Options& options);
 int blocks(const Options& options);
 int convert(const Options& options);
 int operate(const Options& options);
+int serve(const Options& options);
 int record(const Options& options);
 int replay(const Options& options);
 int report(const Options& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `softcnc operate`: a person at the machine, in a terminal.
 #include <csignal>
+#include <utility>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "messages/messages.hpp"
@@ -23,73 +25,82 @@ double now() {
 }
 
 /// The console in its terminal, until the operator quits or is gone.
-class Session {
+class Attendant {
  public:
-  Session(AttendedMachine& machine, Journal& journal, TerminalWindow& window)
+  Attendant(AttendedMachine& machine, Journal& journal, TerminalWindow& window,
+            StopSignals& signals)
       : machine_(machine),
         window_(window),
-        console_(machine, journal, [this] { return ends_check(); }) {
-    signals_.begin_motion(moves_machine(machine.machine().control.backend));
-  }
+        signals_(signals),
+        console_(machine, journal, [this] { return ends_check(); }) {}
 
   /// Returns the exit status.
   int run(const std::string& part);
 
  private:
   void take_keys();
-  void draw();
+  void take_signals();
+  void draw(const char* instead_of_keys = nullptr);
   void leave(int signal);
   bool ends_check();
 
   AttendedMachine& machine_;
   TerminalWindow& window_;
-  StopSignals signals_;
+  StopSignals& signals_;
   Console console_;
+  std::vector<Key> kept_;   // of a check, that it has ended by
   double drawn_ = -kFrame;  // s
-  int left_by_ = 0;   // signal
+  int left_by_ = 0;         // signal
 };
 
 /// All that have come by now are of one instant.
-void Session::take_keys() {
+void Attendant::take_keys() {
   const double instant = now();
-  while (const auto key = window_.next_key()) {
-    console_.key(*key, instant);
-    drawn_ = -kFrame;
-  }
+  std::vector<Key> keys = std::exchange(kept_, {});
+  const std::vector<Key> more = window_.keys(instant);
+  keys.insert(keys.end(), more.begin(), more.end());
+  for (const Key& key : keys) console_.key(key, instant);
+  if (!keys.empty()) drawn_ = -kFrame;
 }
 
-void Session::draw() {
+void Attendant::draw(const char* instead_of_keys) {
   if (now() - drawn_ < kFrame) return;
   Screen screen = window_.blank();
   console_.draw(screen);
-  window_.show(screen);
+  if (instead_of_keys != nullptr)
+    screen.put_row(screen.rows() - 1, instead_of_keys, Emphasis::reverse);
+  window_.show(std::move(screen));
   drawn_ = now();
 }
 
-void Session::leave(int signal) {
-  left_by_ = signal;
+/// Whoever sends a signal after a hang-up does not want to wait.
+void Attendant::take_signals() {
+  const int signal = signals_.poll();
+  if (signal != 0 && left_by_ == 0) leave(signal);
+  if (const int later = signals_.poll_later(); later != 0 && later != SIGHUP) leave(later);
+}
+
+void Attendant::leave(int signal) {
+  left_by_ = left_by_ == 0 ? signal : left_by_;
   console_.leave_alone(signal != SIGHUP);
 }
 
-bool Session::ends_check() {
-  if (signals_.poll() != 0) return true;
-  if (now() - drawn_ < kFrame) return false;
-  Screen screen = window_.blank();
-  console_.draw(screen);
-  screen.put_row(screen.rows() - 1, " checking the program: Esc ends it", Emphasis::reverse);
-  window_.show(screen);
-  drawn_ = now();
-  while (const auto key = window_.next_key())
-    if (key->kind == Key::Kind::escape || key->kind == Key::Kind::interrupt) return true;
-  return false;
+/// Keys that stop end a check, and then do what they always do.
+bool Attendant::ends_check() {
+  draw(" checking the program: Esc ends it");
+  for (const Key& key : window_.keys(now()))
+    if (key.kind == Key::Kind::escape || key.kind == Key::Kind::interrupt || key == key_of('e') ||
+        key == key_of(' '))
+      kept_.push_back(key);
+  return signals_.poll() != 0 || !kept_.empty();
 }
 
-int Session::run(const std::string& part) {
+int Attendant::run(const std::string& part) {
   int status = 0;
   if (!part.empty()) console_.load(part);
   while (!console_.is_over()) {
     if (left_by_ == 0) take_keys();
-    if (const int signal = signals_.poll(); signal != 0 && left_by_ == 0) leave(signal);
+    take_signals();
     if (const Status moved = console_.advance(now()); !moved)
       status = worse_status(status, exit_status(moved.error()));
     const double patience = machine_.control().in_motion() ? kWaitInMotion : kWait;
@@ -106,6 +117,7 @@ int Session::run(const std::string& part) {
 }  // namespace
 
 int operate(const Options& options) {
+  StopSignals signals(StopSignals::Later::wait);  // before any thread: they inherit what waits
   Messages messages;
   Journal journal;
   if (Status opened = journal.open(options.log); !opened) return messages.fail(opened.error());
@@ -119,7 +131,8 @@ int operate(const Options& options) {
   {
     auto window = TerminalWindow::open();
     if (!window) return messages.fail(window.error());
-    status = Session(*machine, journal, **window)
+    signals.begin_motion(moves_machine(machine->machine().control.backend));
+    status = Attendant(*machine, journal, **window, signals)
                  .run(options.files.empty() ? "" : options.files.front());
   }
   if (const Status finished = machine->finish(); !finished)

@@ -35,6 +35,8 @@ constexpr CommandEntry kCommands[] = {
      "Write a part program with curves for chords, or the reverse"},
     {CommandName::operate, "operate",
      "Stand at the machine: home, jog, set offsets, run programs, in a full-screen terminal"},
+    {CommandName::serve, "serve",
+     "Serve the machine to the senders of grbl, on a pseudo-terminal or by TCP"},
     {CommandName::record, "record", "Run a part program and record what replay needs"},
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
     {CommandName::diff, "diff", "Compare two runs: programs, traces or recordings"},
@@ -531,18 +533,19 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 }
 
 using enum CommandName;
-constexpr Commands kRuns{run, record}, kDrives{run, record, operate};
+constexpr Commands kRuns{run, record}, kDrives{run, record, operate, serve};
 constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
 constexpr Commands kPrograms{run, check, blocks, convert, record, report, surface};
 constexpr Commands kReads{run, check, blocks, convert, record, report, surface, compare, diff};
-constexpr Commands kInterprets{run,    check,   blocks,  convert, record,
-                               report, surface, compare, diff,    operate};
-constexpr Commands kMachine{run,     check,   blocks,   convert, record, replay, report,
-                            surface, machine, identify, latency, pulses, diff,   operate};
-constexpr Commands kReports{run,     check,   blocks, convert,  record,  replay, report, surface,
-                            compare, machine, state,  identify, latency, pulses, diff,   operate};
-constexpr Commands kMachines{run,     check,   blocks,   convert, record, replay, report, surface,
-                             compare, machine, identify, latency, pulses, diff,   operate};
+constexpr Commands kInterprets{run,     check,   blocks, convert, record, report,
+                               surface, compare, diff,   operate, serve};
+constexpr Commands kMachine{run,     check,    blocks,  convert, record, replay,  report, surface,
+                            machine, identify, latency, pulses,  diff,   operate, serve};
+constexpr Commands kReports{run,     check,   blocks,  convert, record, replay,
+                            report,  surface, compare, machine, state,  identify,
+                            latency, pulses,  diff,    operate, serve};
+constexpr Commands kMachines{run,     check,   blocks,   convert, record, replay, report,  surface,
+                             compare, machine, identify, latency, pulses, diff,   operate, serve};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, convert, surface},
@@ -551,6 +554,7 @@ constexpr OptionEntry kOptions[] = {
      "Part program; - is standard input",
      one_file},
     {{operate}, "PART", "", "Part program to load first", optional_file},
+    {{serve}, "PART", "", "Part program that ~ begins in Idle", optional_file},
     {{check}, "PART", "", "Part programs, or folders of them; - is standard input", files},
     {{compare}, "PART", "", "Part programs; - is standard input", files},
     {{report},
@@ -645,7 +649,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (position, work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
-    {{operate},
+    {{operate, serve},
      "--state",
      "FILE.toml",
      "State file (position, work offsets, tool table, parameters), read first and written whenever "
@@ -668,7 +672,11 @@ constexpr OptionEntry kOptions[] = {
      "Set a variable before the first line, for example _td=3 for #<_td>, or 100=3 for #100 "
      "(repeatable)",
      definitions},
-    {{run, record, report, machine, operate}, "--backend", "", "Where setpoints are sent", backend},
+    {{run, record, report, machine, operate, serve},
+     "--backend",
+     "",
+     "Where setpoints are sent",
+     backend},
     {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
 
     {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed, not rapids (default 100)",
@@ -679,7 +687,9 @@ constexpr OptionEntry kOptions[] = {
      events},
     {kReads, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
     {kReads, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
-    {kInterprets, "--dialect", "",
+    {{run, check, blocks, convert, record, report, surface, compare, diff, operate},
+     "--dialect",
+     "",
      "Dialect to use where controls differ, auto: by the program "
      "(default linuxcnc)",
      dialect},
@@ -755,8 +765,18 @@ constexpr OptionEntry kOptions[] = {
      "Period of the loop (default: control.servo_period_ms)",
      period},
 
-    {{run, operate}, "--trace", "FILE", "Write one row per period", trace},
-    {{operate},
+    {{run, operate, serve}, "--trace", "FILE", "Write one row per period", trace},
+    {{serve},
+     "--pty",
+     "LINK",
+     "Make a pseudo-terminal with this name in the file system, for senders that open a port",
+     text<&Options::link>},
+    {{serve},
+     "--tcp",
+     "[HOST:]PORT",
+     "Listen on a port, of this computer alone unless a host is given",
+     text<&Options::address>},
+    {{operate, serve},
      "--log",
      "FILE",
      "Add a line for each action, and for what comes of it, to a file",

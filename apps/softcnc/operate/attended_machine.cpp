@@ -2,6 +2,7 @@
 #include "operate/attended_machine.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hal/machine/machine_file.hpp"
 #include "hal/ports/ppdev.hpp"
@@ -74,6 +75,8 @@ Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& op
   const Machine& machine = opened->machine_;
   opened->options_ = channel_options(options, {});
   opened->options_.state = std::move(*state);
+  opened->is_assumed_ = runtime::position_status(opened->options_.state, machine.control.backend) ==
+                        runtime::PositionStatus::assumed;
   if (!knows_place(opened->options_.state, machine, options.assume_position))
     opened->options_.state.position = KeptPosition{opened->options_.state.place(), true};
   auto backend = hal::open_backend(machine, open_leading_player);
@@ -81,8 +84,8 @@ Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& op
   opened->backend_ = std::move(*backend);
   auto rows = open_rows(options.trace, machine, *opened->backend_);
   if (!rows) return tl::make_unexpected(std::move(rows.error()));
-  opened->rows_.emplace(std::move(*rows));
-  opened->control_.emplace(machine, opened->options_, *opened->backend_, &*opened->rows_,
+  opened->rows_ = std::make_unique<LastingRows>(std::move(*rows));
+  opened->control_.emplace(machine, opened->options_, *opened->backend_, opened->rows_.get(),
                            std::move(report));
   return opened;
 }
@@ -96,15 +99,19 @@ runtime::ChannelOptions AttendedMachine::checking_options() const {
 
 Status AttendedMachine::mark_motion() {
   if (is_marked_ || !control_->in_motion()) return {};
-  is_marked_ = true;
-  return memory_.mark_motion(control_->state());
+  Status marked = memory_.mark_motion(control_->state());
+  is_marked_ = marked.has_value();
+  is_assumed_ = false;
+  return marked;
 }
 
 Status AttendedMachine::keep_state() {
   if (control_->in_motion() || (is_kept_ && !is_marked_)) return {};
   is_kept_ = true;
   is_marked_ = false;
-  const auto kept = memory_.keep(control_->state());
+  MachineState state = control_->state();
+  if (is_assumed_ && state.position) state.position->in_motion = false;
+  const auto kept = memory_.keep(state);
   return kept ? Status() : tl::make_unexpected(kept.error());
 }
 
@@ -113,8 +120,12 @@ Status AttendedMachine::advance(double now) {
   next_ = std::max(next_.value_or(now), now - kMostLate);
   for (; *next_ <= now + lead; *next_ += machine_.control.period) {
     if (Status marked = mark_motion(); !marked) return marked;
-    if (control_->step()) ++rows_taken_;
+    const bool is_of_program = control_->step() && control_->last().line > 0;
+    program_rows_ = control_->in_program() ? program_rows_ + (is_of_program ? 1 : 0) : 0;
   }
+  if (!rows_->ok() && !std::exchange(lost_rows_, true))
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC6012, .message = "the trace cannot be written any more"});
   return keep_state();
 }
 

@@ -17,6 +17,23 @@
 
 namespace softcnc::app {
 
+/// Rows for a trace. Where that cannot be written any more the machine goes on.
+class LastingRows final : public runtime::RowSink {
+ public:
+  explicit LastingRows(runtime::TraceRows rows) : rows_(std::move(rows)) {}
+  bool row(const Setpoint& setpoint, std::span<const double> values) override {
+    if (rows_.ok()) rows_.row(setpoint, values);
+    return true;
+  }
+  void rest(const Setpoint& at) override { rows_.rest(at); }
+  void flush() override { rows_.flush(); }
+  bool ok() const noexcept { return rows_.ok(); }
+  Status finish() { return rows_.finish(); }
+
+ private:
+  runtime::TraceRows rows_;
+};
+
 class AttendedMachine {
  public:
   /// Opens the machine of the options, its backend, its state and its trace. `report` takes what is
@@ -35,13 +52,14 @@ class AttendedMachine {
 
   /// Moves on to the instant `now`, s, of a clock that is never set back: a period for each that
   /// has passed. What comes later than kMostLate is not made up for. The state file is marked
-  /// before motion begins, and written once the machine rests. Errors: SC6011, SC6012.
+  /// before motion begins, and written once the machine rests; where it cannot be marked, nothing
+  /// moves. Errors, each once: SC6011, SC6012, those of the trace among them.
   Status advance(double now);
   /// Something of the state has changed without motion.
   void note_change() noexcept { is_kept_ = false; }
-  /// Returns how much of the time something has moved, s.
-  double moved_time() const noexcept {
-    return static_cast<double>(rows_taken_) * machine_.control.period;
+  /// Returns how long the present program has run, without holds and moves by hand, s.
+  double program_time() const noexcept {
+    return static_cast<double>(program_rows_) * machine_.control.period;
   }
 
   /// Writes the state, and what is left of trace and backend. Errors: theirs.
@@ -59,12 +77,14 @@ class AttendedMachine {
   runtime::ChannelOptions options_;
   MachineMemory memory_;
   std::unique_ptr<hal::Backend> backend_;
-  std::optional<runtime::TraceRows> rows_;
+  std::unique_ptr<LastingRows> rows_;
   std::optional<runtime::Operator> control_;  // the last: it uses all others
   std::optional<double> next_;                // s: when the next period begins
   bool is_kept_ = true;                       // the state file has the present state
   bool is_marked_ = false;                    // or the mark of motion
-  std::int64_t rows_taken_ = 0;
+  bool is_assumed_ = false;  // the place, and nothing has moved: the file may stay without a mark
+  bool lost_rows_ = false;   // of the trace
+  std::int64_t program_rows_ = 0;
 };
 
 }  // namespace softcnc::app

@@ -62,7 +62,7 @@ void Console::key(const Key& key, double now) {
   if (jogs) return jog_key(key.kind);
   const bool ends_jog = jog_keys_.is_continuous();
   act_on_jog(jog_keys_.release(), key.kind);
-  if (ends_jog) return;  // that is all it does
+  if (ends_jog && key != key_of('e')) return;  // that is all it does
   if (key.kind == Key::Kind::interrupt) {
     hold();
   } else if (state_.prompt) {
@@ -117,9 +117,12 @@ void Console::key_of_prompt(const Key& key) {
   if (key.kind == Key::Kind::escape) {
     editor.clear();
     state_.prompt.reset();
+    if (machine_.control().is_line_open()) {
+      machine_.control().forget_lines();
+      journal_.add(EntryKind::note, "the lines of the loop that was not closed are forgotten");
+    }
   } else if (key.kind == Key::Kind::enter) {
-    const std::string text = editor.take();
-    take(text);
+    take(editor.take());
   } else {
     editor.key(key);
   }
@@ -129,7 +132,8 @@ void Console::key_of_prompt(const Key& key) {
 
 void Console::load(const std::string& file) {
   journal_.add(EntryKind::action, "load " + file);
-  if (state_.runs) return journal_.add(EntryKind::fault, "a program is running");
+  if (state_.runs || machine_.control().in_motion())
+    return journal_.add(EntryKind::fault, "load: the machine moves, or a program is held");
   auto program = LoadedProgram::open(file);
   if (!program) return journal_.add(EntryKind::fault, file + ": " + program.error().message);
   state_.program.emplace(std::move(*program));
@@ -150,9 +154,10 @@ bool Console::check() {
   runtime::ChannelOptions options = machine_.checking_options();
   options.interpreter.block_skip = requests_.switches().block_skip;
   options.interpreter.optional_stop = requests_.switches().optional_stop;
-  if (!state_.program->checked(options.state))
+  if (state_.program->has_changed() && !read_again()) return false;
+  if (!state_.program->checked(options))
     state_.program->check(machine_.machine(), options, is_stopped_);
-  const CheckedProgram* checked = state_.program->checked(options.state);
+  const CheckedProgram* checked = state_.program->checked(options);
   if (checked == nullptr)
     journal_.add(EntryKind::note, "the check was ended");
   else if (checked->errors > 0)
@@ -162,18 +167,32 @@ bool Console::check() {
   return checked != nullptr && checked->passed;
 }
 
+bool Console::read_again() {
+  auto program = LoadedProgram::open(state_.program->name());
+  if (!program) {
+    journal_.add(program.error());
+    return false;
+  }
+  journal_.add(EntryKind::note, "the file has changed: it was read again");
+  state_.program.emplace(std::move(*program));
+  return true;
+}
+
 void Console::start() {
   const bool may_run = machine_.control().mode() == runtime::MachineMode::check ||
                        !machine_.control().knows_position() || check();
   if (!may_run || !state_.program || !requests_.start(*state_.program)) return;
   state_.runs = machine_.control().in_program();
   state_.line = 0;
-  state_.began = machine_.moved_time();
 }
 
 /// At rest there is nothing to hold.
 void Console::hold() {
-  if (machine_.control().mode() != runtime::MachineMode::idle) requests_.hold();
+  const auto mode = machine_.control().mode();
+  if (mode == runtime::MachineMode::alarm)
+    requests_.cancel();
+  else if (mode != runtime::MachineMode::idle)
+    requests_.hold();
 }
 
 void Console::go_on() {
@@ -183,7 +202,10 @@ void Console::go_on() {
 }
 
 void Console::quit() {
-  if (machine_.control().in_motion() || state_.runs) {
+  using enum runtime::MachineMode;
+  const auto mode = machine_.control().mode();
+  const bool is_held = mode == hold || mode == door;
+  if (machine_.control().in_motion() || is_held) {
     journal_.add(EntryKind::action, "quit");
     return journal_.add(EntryKind::fault,
                         "quit: the machine moves, or a program is held; a ends it");
@@ -200,8 +222,8 @@ Status Console::advance(double now) {
   act_on_jog(jog_keys_.wait(now), Key::Kind::unknown);
   Status moved = machine_.advance(now);
   if (!moved) {
-    journal_.add(moved.error());
-    requests_.hold();
+    if (machine_.control().in_motion()) requests_.hold();
+    journal_.add(moved.error());  // after the request, which clears what was shown
   }
   settle();
   if (is_alone_) wait_alone();
@@ -215,8 +237,8 @@ void Console::settle() {
   if (const runtime::Pause* pause = control.pause()) state_.line = pause->block.source.line;
   if (state_.runs && !control.in_program()) {
     state_.runs = false;
-    const bool is_done = control.mode() == runtime::MachineMode::idle;
-    journal_.add(EntryKind::note, is_done ? "the program has ended" : "the program was broken off");
+    journal_.add(EntryKind::note,
+                 control.has_completed() ? "the program has ended" : "the program was broken off");
   }
 }
 
@@ -226,6 +248,7 @@ void Console::leave_alone(bool at_once) {
   ends_at_once_ = ends_at_once_ || at_once;
   state_.prompt.reset();
   jog_keys_.release();
+  requests_.cancel();
   requests_.hold();
 }
 

@@ -59,6 +59,7 @@ class Console {
   bool take_place(const std::string& text,
                   bool (Requests::*request)(const AxisWords&, const std::string&));
   bool check();
+  bool read_again();
   void start();
   void hold();
   void go_on();

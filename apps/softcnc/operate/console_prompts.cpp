@@ -53,6 +53,9 @@ void Console::take(const std::string& text) {
   if (what == Prompt::For::line) {
     if (text.empty()) state_.prompt.reset();
     if (!text.empty()) requests_.line(text);
+    if (state_.prompt)
+      state_.prompt->label =
+          machine_.control().is_line_open() ? "line, until it is closed: " : "line: ";
     return;
   }
   state_.prompt.reset();
@@ -88,6 +91,11 @@ void Console::take(const std::string& text) {
 bool Console::take_place(const std::string& text,
                          bool (Requests::*request)(const AxisWords&, const std::string&)) {
   const AxisWords place = axis_words(words_of(text));
+  if (machine_.control().in_motion()) {
+    journal_.add(EntryKind::action, text);
+    journal_.add(EntryKind::fault, "not while the machine moves");
+    return false;
+  }
   if (place.wrong.empty()) return (requests_.*request)(place, text);
   journal_.add(EntryKind::action, text);
   journal_.add(EntryKind::fault, "'" + place.wrong + "' is not an axis in mm, as X-12.5");
@@ -100,6 +108,10 @@ void Console::take_probe(const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const AxisWords way = axis_words(words_of(text.substr(0, equals)));
   const auto wanted = equals < text.size() ? parse_mm(text.substr(equals + 1)) : std::nullopt;
+  if (machine_.control().in_motion()) {
+    journal_.add(EntryKind::action, "probe " + text);
+    return journal_.add(EntryKind::fault, "not while the machine moves");
+  }
   const bool is_wrong = !way.wrong.empty() || way.named() != 1 || (equals < text.size() && !wanted);
   if (is_wrong) {
     journal_.add(EntryKind::action, "probe " + text);
@@ -109,7 +121,7 @@ void Console::take_probe(const std::string& text) {
       std::find_if(way.mm.begin(), way.mm.end(), [](const auto& mm) { return mm.has_value(); }) -
       way.mm.begin());
   const char letter = kAxisLetters[axis];
-  std::string lines = fmt::format("M70\nG21 G91 G38.2 {}{} F100\nG90\n", letter, *way.mm[axis]);
+  std::string lines = fmt::format("M70\nG21 G94 G91 G38.2 {}{} F100\nG90\n", letter, *way.mm[axis]);
   if (wanted)
     lines +=
         fmt::format("G10 L20 P0 {}[{} + #{} - #{}]\n", letter, *wanted, 5420 + axis, 5061 + axis);

@@ -34,7 +34,6 @@ struct ConsoleState {
   std::optional<Prompt> prompt;
   std::size_t jog_step = 3, jog_feed = 2;  // indices
   std::optional<LoadedProgram> program;
-  double began = 0;   // s of AttendedMachine::moved_time(): when the program has begun
   bool runs = false;  // the program, or it is held
   int line = 0;       // where it is
 };

@@ -6,9 +6,9 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kHeld = 3;             // presses: the first one and two repeats
-constexpr double kAtOnce = 0.004;    // s: no hand and no terminal repeats a key so fast
-constexpr double kRepeatGap = 0.15;  // s: between repeats
+constexpr double kAtOnce = 0.012;    // s: no hand and no terminal repeats a key so fast
+constexpr double kFastHand = 0.06;   // s: between two presses of a hand, at least
+constexpr double kRepeatGap = 0.15;  // s: between repeats, at most
 
 }  // namespace
 
@@ -17,20 +17,21 @@ JogKeys::Act JogKeys::press(Key::Kind key, double now) noexcept {
     const bool ends = release() == Act::stop;
     key_ = key;
     last_ = now;
-    chain_ = ends ? 0 : 1;
     return ends ? Act::stop : Act::step;
   }
   const double gap = now - std::exchange(last_, now);
   if (continuous_ || gap < kAtOnce) return Act::nothing;
-  chain_ = gap <= kRepeatGap ? chain_ + 1 : gap <= kFirstRepeat ? 2 : 1;
-  if (chain_ < kHeld) return Act::step;
-  continuous_ = true;
-  return Act::begin;
+  if (repeats_ && gap <= kRepeatGap) {
+    continuous_ = true;
+    return Act::begin;
+  }
+  repeats_ = gap > kRepeatGap && gap <= kFirstRepeat;
+  return gap < kFastHand ? Act::nothing : Act::step;
 }
 
 JogKeys::Act JogKeys::release() noexcept {
   key_.reset();
-  chain_ = 0;
+  repeats_ = false;
   return std::exchange(continuous_, false) ? Act::stop : Act::nothing;
 }
 

@@ -12,8 +12,8 @@ namespace softcnc::app {
 
 /// A terminal tells of presses only, and of a held key that it repeats. One press is a step; from
 /// the second repeat on the motion is continuous, and it ends once no repeat has come for
-/// kPatience. Keys that come all at once, as through a connection that has stood still, are one
-/// press.
+/// kPatience. Keys that come faster than a hand presses them, as through a connection that has
+/// stood still, are one press.
 class JogKeys {
  public:
   enum class Act : std::uint8_t { nothing, step, begin, stop };
@@ -33,7 +33,7 @@ class JogKeys {
  private:
   std::optional<Key::Kind> key_;
   double last_ = -std::numeric_limits<double>::infinity();  // s: of its last press
-  int chain_ = 0;  // presses that follow each other as those of a held key do
+  bool repeats_ = false;  // that press may have been the first repeat of a held key
   bool continuous_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace softcnc::app {
 
@@ -41,6 +42,8 @@ void Journal::add_line(EntryKind kind, std::string_view line) {
     constexpr std::string_view kMarks[] = {"> ", "  ", "! "};
     file_ << fmt::format("{:10.3f} {}{}\n", now_, kMarks[static_cast<std::size_t>(kind)], line)
           << std::flush;
+    if (!file_.good() && !std::exchange(has_failed_, true))
+      news_.push_back({EntryKind::fault, "the log cannot be written any more: " + name_});
   }
   if (kind == EntryKind::action) return;
   if (news_.size() >= kKept) news_.erase(news_.begin());

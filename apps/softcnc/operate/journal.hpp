@@ -47,7 +47,8 @@ class Journal {
 
   std::string name_;
   std::ofstream file_;
-  double now_ = 0;  // s
+  double now_ = 0;           // s
+  bool has_failed_ = false;  // the file
   std::vector<Entry> news_;
 };
 

@@ -34,11 +34,25 @@ LoadedProgram::LoadedProgram(runtime::Program program, std::string text)
 }
 
 Result<LoadedProgram> LoadedProgram::open(const std::string& file) {
+  std::error_code error;
+  const bool is_fit =
+      std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file) <= kLargest;
+  if (!is_fit && std::filesystem::exists(file, error))
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC6001, .message = "not a file of at most 256 MiB", .file = file});
   auto program = runtime::Program::open(file);
   if (!program) return tl::make_unexpected(std::move(program.error()));
   std::string text = program_text(*program);
   if (Status read = program->read_status(); !read) return tl::make_unexpected(read.error());
-  return LoadedProgram(std::move(*program), std::move(text));
+  LoadedProgram loaded(std::move(*program), std::move(text));
+  loaded.written_ = std::filesystem::last_write_time(file, error);
+  return loaded;
+}
+
+bool LoadedProgram::has_changed() const {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(name(), error);
+  return !error && written != written_;
 }
 
 std::string_view LoadedProgram::line(int number) const noexcept {
@@ -49,8 +63,13 @@ std::string_view LoadedProgram::line(int number) const noexcept {
   return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
-const CheckedProgram* LoadedProgram::checked(const MachineState& state) const noexcept {
-  return checked_ && checked_->state == state ? &*checked_ : nullptr;
+const CheckedProgram* LoadedProgram::checked(
+    const runtime::ChannelOptions& options) const noexcept {
+  const bool holds = checked_ && checked_->state == options.state &&
+                     checked_->outputs == options.outputs &&
+                     checked_->block_skip == options.interpreter.block_skip &&
+                     checked_->optional_stop == options.interpreter.optional_stop;
+  return holds ? &*checked_ : nullptr;
 }
 
 void LoadedProgram::check(const Machine& machine, runtime::ChannelOptions options,
@@ -60,6 +79,9 @@ void LoadedProgram::check(const Machine& machine, runtime::ChannelOptions option
   options.interpreter.called = &program_.called();
   CheckedProgram checked;
   checked.state = options.state;
+  checked.outputs = options.outputs;
+  checked.block_skip = options.interpreter.block_skip;
+  checked.optional_stop = options.interpreter.optional_stop;
   Messages messages([&checked](std::string_view text) { checked.found += text; }, false);
   StopWatch watch(is_stopped);
   const Preflight found = preflight(program_, machine, options, messages, &watch);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,7 +21,9 @@ namespace softcnc::app {
 
 /// What a check has found.
 struct CheckedProgram {
-  MachineState state;  // from which
+  MachineState state;  // from which,
+  Outputs outputs;
+  bool block_skip = false, optional_stop = false;  // and with which switches
   bool passed = false;
   std::string found;  // errors, warnings and notes, as text
   int errors = 0, warnings = 0;
@@ -29,8 +33,11 @@ struct CheckedProgram {
 
 class LoadedProgram {
  public:
-  /// Errors: those of runtime::Program::open().
+  /// A regular file of at most kLargest bytes. Errors: SC6001 otherwise, and those of
+  /// runtime::Program::open().
   static Result<LoadedProgram> open(const std::string& file);
+  /// Returns whether the file is another one by now.
+  bool has_changed() const;
 
   const std::string& name() const noexcept { return program_.name(); }
   const std::string& folder() const noexcept { return program_.folder(); }
@@ -39,8 +46,8 @@ class LoadedProgram {
   /// Returns a line, from 1; empty where there is none.
   std::string_view line(int number) const noexcept;
 
-  /// Returns what the check from this state has found; null where there was none.
-  const CheckedProgram* checked(const MachineState& state) const noexcept;
+  /// Returns what the check with these options has found; null where there was none.
+  const CheckedProgram* checked(const runtime::ChannelOptions& options) const noexcept;
   const CheckedProgram* checked() const noexcept { return checked_ ? &*checked_ : nullptr; }
   /// Checks the program without motion. `is_stopped` is asked now and then whether to stop; then
   /// nothing is known.
@@ -48,11 +55,14 @@ class LoadedProgram {
              const std::function<bool()>& is_stopped);
 
  private:
+  static constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 28U;
+
   LoadedProgram(runtime::Program program, std::string text);
 
   runtime::Program program_;
   std::string text_;
   std::vector<std::size_t> begins_;  // of lines
+  std::filesystem::file_time_type written_;
   std::optional<CheckedProgram> checked_;
 };
 

@@ -43,10 +43,11 @@ std::string progress_row(const ConsoleView& view) {
   const LoadedProgram& program = *view.state.program;
   const CheckedProgram* checked = program.checked();
   std::string text = fmt::format(" line     {} of {}", view.state.line, program.lines());
-  const double gone = view.machine.moved_time() - view.state.began;
+  const double gone = view.machine.program_time();
   if (checked != nullptr && checked->time > 0)
-    text += fmt::format(", {:.0f} %, about {} left", std::min(100 * gone / checked->time, 100.0),
-                        duration_text(std::max(checked->time - gone, 0.0)));
+    text += fmt::format(
+        ", {:.0f} %, about {} left", std::min(100 * gone / checked->time, 100.0),
+        duration_text(std::max(checked->time - gone, 0.0) / view.requests.overrides().feed));
   return text;
 }
 
@@ -110,6 +111,7 @@ std::string advice(const ConsoleView& view) {
                    : "Alarm, and the position is not known: u unlocks; " + find;
     case hold:
       if (control.in_motion()) return "the machine is coming to rest, or moved by hand";
+      if (control.is_short_of_change()) return "Enter goes on to the place for tool changes";
       if (const runtime::Pause* pause = control.pause()) return pause_advice(view, *pause);
       return control.return_point() ? "Enter goes back and on, a ends the program"
                                     : "Enter goes on, a ends the program";

@@ -49,7 +49,8 @@ int read_signal(const runtime::Descriptor& descriptor) noexcept {
 
 }  // namespace
 
-StopSignals::StopSignals() : descriptor_(-1), came_(event()), ended_(event()) {
+StopSignals::StopSignals(Later later)
+    : descriptor_(-1), came_(event()), ended_(event()), later_wait_(later == Later::wait) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
@@ -79,7 +80,7 @@ void StopSignals::watch() noexcept {
     signal = take(0);
     if (signal == 0 && wait_for(*ended_, 0)) return;
   }
-  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  if (!later_wait_) pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   if (!wait_for(*ended_, patience_) && !asked_for_) end_by(signal);
   wait_for(*ended_, -1);
 }
@@ -104,6 +105,10 @@ int StopSignals::poll() noexcept {
   const int received = received_;
   if (received != 0) asked_for_ = true;
   return received;
+}
+
+int StopSignals::poll_later() noexcept {
+  return later_wait_ && received_ != 0 ? read_signal(descriptor_) : 0;
 }
 
 void StopSignals::interrupt() noexcept { take(SIGINT); }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -13,8 +14,9 @@
 namespace softcnc::app {
 
 /// While it lives, SIGINT, SIGTERM, SIGQUIT and SIGHUP (unless it was ignored before, as by nohup)
-/// wait to be asked for. A thread takes the first one; a second one has its usual effect. But a
-/// second SIGHUP is ignored: shell and kernel may both report one hang-up.
+/// wait to be asked for. A thread takes the first one; a second one has its usual effect, unless
+/// the later ones wait as well. But a second SIGHUP is ignored: shell and kernel may both report
+/// one hang-up.
 ///
 /// A signal that nobody has asked for within kPatience has its usual effect, too, whatever softcnc
 /// is doing: where a run is to leave whole files within kPatienceOfRuns, and never where a real
@@ -23,13 +25,19 @@ class StopSignals {
  public:
   static constexpr int kPatience = 700, kPatienceOfRuns = 5000;  // ms
 
-  StopSignals();
+  /// What the signals after the first one do.
+  enum class Later : std::uint8_t { usual, wait };
+
+  explicit StopSignals(Later later = Later::usual);
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
   ~StopSignals();
 
   /// The signal that has come, 0 if none has.
   int poll() noexcept;
+
+  /// Returns another signal that has come since, where these wait, too; 0: none.
+  int poll_later() noexcept;
 
   /// The same for loops that know of no signals: it requests a stop when one has come.
   std::stop_token token() const noexcept { return stop_.get_token(); }
@@ -58,6 +66,7 @@ class StopSignals {
   std::atomic<int> patience_{kPatience};  // ms; -1: without end
   std::atomic<bool> asked_for_{false};
   std::stop_source stop_;
+  bool later_wait_;
   std::thread thread_;
 };
 

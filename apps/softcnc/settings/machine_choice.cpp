@@ -22,7 +22,7 @@ bool blocks_default(const std::string& file) {
 bool writes(const Options& options) {
   return !options.dry_run &&
          (options.command == CommandName::run || options.command == CommandName::record ||
-          options.command == CommandName::operate);
+          options.command == CommandName::operate || options.command == CommandName::serve);
 }
 
 Status check_default_file(const hal::FoundMachine& found, const Options& options) {

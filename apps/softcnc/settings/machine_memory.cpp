@@ -77,6 +77,7 @@ Result<MachineState> open_state(const Options& options, Messages& messages) {
             *work.origin[axis];
   const bool is_told = options.command == CommandName::state ||
                        options.command == CommandName::operate ||
+                       options.command == CommandName::serve ||
                        (options.command == CommandName::run && !options.dry_run);
   if (const auto warning = runtime::position_warning(*state, options.state); warning && !is_told)
     messages.show(*warning);

@@ -41,7 +41,8 @@ enum class CommandName : std::uint8_t {
   codes,
   circle,
   convert,
-  operate
+  operate,
+  serve
 };
 
 /// How a table is written.
@@ -87,7 +88,8 @@ struct Options {
   bool dry_run = false, watch = false;
   bool realtime = false;                      // run, record: as fast as the clock goes
   std::string trace, report;                  // files; empty: none
-  std::string log;                            // operate: file; empty: none
+  std::string log;                            // operate, serve: file; empty: none
+  std::string link, address;                  // serve: of a pseudo-terminal, of TCP; empty: none
   std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
   std::string output;                         // of record, surface, compare, identify, convert
   bool actual = false;                        // surface: cut by where the simulated mill is

@@ -60,6 +60,7 @@ class Interpreter {
   /// Returns offsets, tools and parameters as the lines read so far leave them; at the end, what is
   /// to be kept.
   const MachineState& state() const noexcept { return modal_.state; }
+  const Coordinates& coordinates() const noexcept { return modal_.coordinates; }
 
   /// Returns what the lines before the first one with an error have left, where the options ask
   /// for it.

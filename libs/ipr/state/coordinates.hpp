@@ -22,6 +22,8 @@ class Coordinates {
   /// Returns what is added to a coordinate where nothing is rotated, mm.
   const AxisVector& sum() const noexcept { return sum_; }
 
+  friend bool operator==(const Coordinates&, const Coordinates&) = default;
+
  private:
   AxisVector moved_ = AxisVector::Zero();  // tool + origin
   AxisVector shift_ = AxisVector::Zero();

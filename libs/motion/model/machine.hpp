@@ -19,6 +19,7 @@
 
 #include "motion/core/axes.hpp"
 #include "motion/geometry/spline.hpp"
+#include "motion/model/attendance.hpp"  // IWYU pragma: export
 #include "motion/model/contact.hpp"
 #include "motion/model/machine_code.hpp"   // IWYU pragma: export
 #include "motion/model/machine_ports.hpp"  // IWYU pragma: export
@@ -245,13 +246,6 @@ struct Plant {
 /// A touch probe, while no tool of the machine is in the spindle.
 struct Probe {
   double radius = 0;  // mm: of its ball
-};
-
-/// What a machine does for the person who stands at it.
-struct Attendance {
-  std::vector<double> tool_change;  // mm, machine coordinates: where tools are changed by hand;
-                                    // empty: where the machine is
-  double alone = 30;                // s: so long the spindle turns once nobody is there any more
 };
 
 struct Machine {

@@ -23,6 +23,7 @@ Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::B
       known_(position_status(options.state, BackendKind::none) == PositionStatus::known),
       outputs_(options.outputs),
       programmed_(options.outputs) {
+  options_.hurries = false;
   last_.position = options.state.place();
   begin_session(options.state);
 }
@@ -38,7 +39,7 @@ void Operator::begin_session(const MachineState& state) {
   if (begun_) session_->count_on_from(last_);
   running_ = is_program_ = false;
   left_.reset();
-  returning_ = false;
+  returning_ = to_change_ = false;
 }
 
 /// Returns the answer to a request that does nothing in this state; nothing where it acts.
@@ -86,8 +87,10 @@ Status Operator::run(std::string_view text, bool is_program) {
   if (mode_ == MachineMode::check) return judge(text);
   if (Status fed = session_->feed(text); !fed) return fed;
   is_program_ = is_program;
+  completed_ = false;
+  dry_ = 0;
   running_ = true;
-  is_program ? session_->end() : session_->rest();
+  is_program ? session_->end() : session_->read_all();
   mode_ = MachineMode::run;
   return {};
 }
@@ -124,6 +127,12 @@ std::optional<Row> Operator::step() {
 
 std::optional<Row> Operator::step_of(Session& session) {
   auto row = session.step();
+  const bool is_dry = !row && session.status() == SessionStatus::waiting && !session.rests();
+  if (is_dry && !moving() && ++dry_ < periods_in(kPatience)) return std::nullopt;
+  if (is_dry) {  // no line has come in time
+    session.rest();
+    row = session.step();
+  }
   if (!row) {
     jog_ ? settle_jog() : settle_program();
     return std::nullopt;
@@ -153,6 +162,8 @@ void Operator::settle_jog() {
   session_->count_on_from(last_);
   if (mode_ == MachineMode::alarm && !rests_in_) switch_.reset();
   if (rests_in_) return ended();
+  if (const auto& at = machine_.attendance.tool_change; to_change_)
+    to_change_ = (last_.position - AxisVector(at[0], at[1], at[2])).norm() > kSamePlace;
   if (homing_) return home_on();
   if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = mode_at_rest();
   if (!returning_) return;
@@ -172,6 +183,7 @@ void Operator::settle_program() {
   }
   if (session_->status() == SessionStatus::running) return;
   if (rests_in_) return ended();
+  completed_ = is_program_ && session_->errors() == 0;
   if (is_program_)
     begin_session(state());
   else

@@ -38,11 +38,15 @@ class Operator {
   // Requests
   // ---------------------------------------------------------------------------------------
 
-  /// Runs lines, with the modes that the lines before have left. Lines that open a loop or a
-  /// subprogram wait until it is closed. Errors: SC5070, SC5080.
+  /// Runs lines, with the modes that the lines before have left, and without a stop between them
+  /// where they come in time: within kPatience at rest, and in motion before the machine has to
+  /// brake for the end of those before. What is wrong with a line is reported before this returns.
+  /// Lines that open a loop or a subprogram wait until it is closed. Errors: SC5070, SC5080.
   Status line(std::string_view text);
   /// Returns whether line() waits for the end of a loop or a subprogram.
   bool is_line_open() const noexcept { return open_.is_open(); }
+  /// Forgets the lines of a loop or a subprogram that is not closed.
+  void forget_lines() { open_.forget(); }
   /// Runs a program from its beginning, with the modes at the start of a program; what it calls is
   /// looked for in `folder`. Where it changes a tool, spindle and coolant go off, the machine moves
   /// to the place of the machine file, if that has one, and waits in Hold. Errors: SC5070, SC5080.
@@ -98,6 +102,8 @@ class Operator {
   void set_block_skip(bool on) noexcept;
   void set_optional_stop(bool on) noexcept;
   void set_single_block(bool on) noexcept;
+  /// The shift of G92 is gone, as after a reset of grbl. Only at rest, outside programs.
+  void forget_shift();
   /// The machine stands at `place`, mm, machine coordinates: somebody has looked. Errors: SC5080
   /// while it moves, or beyond what can be kept.
   Status set_position(const AxisVector& place);
@@ -116,18 +122,27 @@ class Operator {
   }
   /// Returns whether a program runs or is held.
   bool in_program() const noexcept { return running_ && is_program_; }
+  /// Returns whether the last program has come to its end without an error.
+  bool has_completed() const noexcept { return completed_; }
+  /// Returns whether the machine has been held on its way to the place for tool changes: resume()
+  /// leads there first.
+  bool is_short_of_change() const noexcept { return to_change_; }
   /// Returns what a program waits for in Hold; null: for nothing but resume().
   const Pause* pause() const noexcept { return running_ ? session_->pause() : nullptr; }
   bool moving() const noexcept { return last_.v > kStandstill; }
   /// Returns whether position() is where the machine is.
   bool knows_position() const noexcept { return known_; }
   const AxisVector& position() const noexcept { return last_.position; }
-  /// Returns a place in the coordinates of lines that come next: Session::programmed().
+  /// Returns a place in the coordinates of the block that runs: Session::programmed().
   AxisVector programmed(const AxisVector& place) const noexcept {
     return session_->programmed(place);
   }
   /// Returns the length of the unit of lines that come next, mm.
   double mm_per_unit() const noexcept { return session_->mm_per_unit(); }
+  /// Returns the modes of these lines.
+  const ipr::Memory& memory() const noexcept { return session_->memory(); }
+  /// Returns how many blocks of lines the machine has not come to.
+  int blocks_ahead() const noexcept { return session_->blocks_ahead(); }
   /// Returns how far it is to the end of the present move, mm.
   AxisVector to_go() const noexcept;
   /// Returns the last row.
@@ -142,6 +157,8 @@ class Operator {
 
  private:
   static constexpr double kStandstill = 1e-6;  // mm/s: rounding, where a move ends
+  static constexpr double kSamePlace = 1e-6;   // mm: the same
+  static constexpr double kPatience = 0.02;    // s: for the next line, at rest
 
   struct Switch {
     int axis, direction;
@@ -157,9 +174,11 @@ class Operator {
   void home_on();
   void stand_at(const AxisVector& place);
   void pause_motion();
+  std::int64_t periods_in(double seconds) const noexcept;
   std::int64_t periods_to_speed() const noexcept;
   void go_on();
   void change_tool();
+  void move_to_change();
   void move_over_to(const AxisVector& place);
   MachineMode mode_at_rest() const noexcept {
     return door_open_ ? MachineMode::door : locked_ ? MachineMode::alarm : MachineMode::idle;
@@ -197,10 +216,13 @@ class Operator {
   bool running_ = false, is_program_ = false;
   std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
   bool returning_ = false;               // to that place
+  bool to_change_ = false;               // on the way to the place for tool changes
+  bool completed_ = false;               // the last program
   std::optional<MachineMode> rests_in_;  // once the machine is at rest,
   bool resets_ = false;                  // spindle and coolant go off then
   bool door_open_ = false;
   std::int64_t waits_ = 0;        // periods: for the spindle
+  std::int64_t dry_ = 0;          // periods: at rest, without a next line
   std::optional<Switch> switch_;  // at an end of an axis
   double feed_override_ = 1, rapid_override_ = 1, spindle_override_ = 1;
   std::vector<double> values_;  // of the row of an alarm

@@ -83,9 +83,14 @@ void Operator::change_tool() {
   outputs_ = {};
   session_->switch_off();
   send_outputs();
-  const std::vector<double>& at = machine_.attendance.tool_change;
-  if (at.empty()) return;
+  if (machine_.attendance.tool_change.empty()) return;
   left_ = last_.position;
+  move_to_change();
+}
+
+void Operator::move_to_change() {
+  const std::vector<double>& at = machine_.attendance.tool_change;
+  to_change_ = true;
   move_over_to(AxisVector(at[0], at[1], at[2]));
 }
 

@@ -34,6 +34,10 @@ Status Operator::resume() {
   if (const auto answer = answered(Request::resume)) return *answer;
   if (jog_) return refusal("resume: a jog has not ended yet");
   if (mode_ == MachineMode::door && door_open_) return refusal("resume: the door is open");
+  if (mode_ == MachineMode::hold && to_change_) {
+    move_to_change();
+    return {};
+  }
   const bool turns_on = before_off_.has_value();
   if (turns_on) {
     outputs_ = *std::exchange(before_off_, std::nullopt);
@@ -55,11 +59,14 @@ Status Operator::resume() {
   return {};
 }
 
+std::int64_t Operator::periods_in(double seconds) const noexcept {
+  return static_cast<std::int64_t>(std::ceil(seconds / machine_.control.period));
+}
+
 /// How long the spindle takes to its speed from standstill.
 std::int64_t Operator::periods_to_speed() const noexcept {
   if (machine_.spindle.acceleration <= 0) return 0;
-  const double seconds = std::abs(outputs_.spindle_rpm) / machine_.spindle.acceleration;
-  return static_cast<std::int64_t>(std::ceil(seconds / machine_.control.period));
+  return periods_in(std::abs(outputs_.spindle_rpm) / machine_.spindle.acceleration);
 }
 
 void Operator::go_on() {
@@ -228,6 +235,14 @@ void Operator::set_single_block(bool on) noexcept {
 void Operator::set_switches() noexcept {
   session_->set_switches(options_.interpreter.block_skip, options_.interpreter.optional_stop,
                          options_.single_block);
+}
+
+void Operator::forget_shift() {
+  if (running_ || jog_) return;
+  MachineState without = state();
+  without.shift = AxisVector::Zero();
+  without.shift_on = false;
+  begin_session(without);
 }
 
 Status Operator::set_position(const AxisVector& place) {

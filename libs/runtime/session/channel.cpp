@@ -123,6 +123,15 @@ void Channel::come_to_rest() noexcept {
   }
 }
 
+void Channel::read_all() noexcept {
+  if (broken_ || stopping_) return;
+  try {
+    feeder_.read_all(queue_);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+}
+
 void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {

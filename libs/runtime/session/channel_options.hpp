@@ -26,6 +26,9 @@ struct ChannelOptions {
   /// Where a pipe pauses, the machine comes to rest instead of waiting there for the next line;
   /// without events only.
   bool rests_at_pauses = false;
+  /// Where a pipe pauses, what is settled by now goes out; otherwise only what would be settled so
+  /// however long it takes the next line to come, until come_to_rest().
+  bool hurries = true;
   std::vector<FeedEvent> events;  // in the order of time
   /// s: so much later the first cutting move begins, see with_first_cut_delayed(), or the whole
   /// program, see DelayPlace; for programs that are not fed and without `keeps_state`.

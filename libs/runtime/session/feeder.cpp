@@ -46,6 +46,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       first_cut_delay_(options.first_cut_delay),
       delay_place_(delay_place(machine.control.interpolation)),
       states_(options.state),
+      coordinates_(interpreter_.coordinates()),
       spindle_(machine.spindle.acceleration, options.outputs.spindle_rpm),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}
@@ -57,7 +58,7 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     auto part = planner_.pop_part();
     if (!part && ended_) break;
     if (!part && read_block()) continue;
-    if (!part && !patient_) part = planner_.pop_part_now();
+    if (!part && !patient_ && options_.hurries) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
     take(queue, std::move(*part));
@@ -65,11 +66,17 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
   cpu_ += cpu.lap();
 }
 
-void Feeder::come_to_rest(ipo::BlockQueue& queue) {
+void Feeder::read_all(ipo::BlockQueue& queue) {
   CpuLaps cpu;
-  constexpr double kPeriods = 2;  // so that a row at rest lies before the end of the queue
   while (!ended_ && read_block())
     while (auto part = planner_.pop_part()) take(queue, std::move(*part));
+  cpu_ += cpu.lap();
+}
+
+void Feeder::come_to_rest(ipo::BlockQueue& queue) {
+  read_all(queue);
+  CpuLaps cpu;
+  constexpr double kPeriods = 2;  // so that a row at rest lies before the end of the queue
   if (!ended_ && !std::exchange(at_rest_, true)) {
     planner_.push({Dwell{kPeriods * machine_.control.period}, last_place_, last_number_});
     planner_.come_to_rest();
@@ -193,7 +200,10 @@ bool Feeder::read_block() {
   auto block = next_block();
   if (block) note_origin(*block);
   if (!block && interpreter_.waiting() && diagnostics_.errors() == 0) return false;
-  if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
+  if (block && options_.keeps_state) {
+    states_.add(block->number, interpreter_.state());
+    coordinates_.add(block->number, interpreter_.coordinates());
+  }
   if (block && diagnostics_.errors() == 0)
     if (auto late = limit_.check(*block, planned_)) diagnostics_.report(std::move(*late));
   if (is_endless()) {

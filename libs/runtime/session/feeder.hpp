@@ -16,11 +16,11 @@
 #include "ipo/queue/block_queue.hpp"
 #include "ipr/interpreter/interpreter.hpp"
 #include "motion/verification/programmed_path.hpp"
+#include "runtime/session/block_history.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/motion_limit.hpp"
 #include "runtime/session/spindle_wait.hpp"
-#include "runtime/session/state_history.hpp"
 #include "runtime/session/watcher.hpp"
 
 namespace softcnc::runtime {
@@ -40,6 +40,9 @@ class Feeder {
   /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
   /// still change when more of a program comes is left as it is.
   void look_ahead(ipo::BlockQueue& queue, double s, double t);
+  /// Reads all that has come so far, so that what is wrong with it is known, and times what does
+  /// not depend on what may follow.
+  void read_all(ipo::BlockQueue& queue);
   /// The path in the queue ends at rest where what has come so far ends, and the machine stays
   /// there for two periods; more may come.
   void come_to_rest(ipo::BlockQueue& queue);
@@ -78,12 +81,21 @@ class Feeder {
     pauses_.pop_front();
   }
 
+  /// Returns the number of the last block that has been read.
+  int last_number() const noexcept { return last_number_; }
   /// What the lines before the first one with an error have left: Interpreter::memory().
   const ipr::Memory& memory() const noexcept { return interpreter_.memory(); }
 
   /// The states of the machine as far as has been read.
-  StateHistory& states() noexcept { return states_; }
-  const StateHistory& states() const noexcept { return states_; }
+  BlockHistory<MachineState>& states() noexcept { return states_; }
+  const BlockHistory<MachineState>& states() const noexcept { return states_; }
+  /// Returns the coordinates in force at each block, likewise.
+  const BlockHistory<ipr::Coordinates>& coordinates() const noexcept { return coordinates_; }
+  /// The machine is in block `number`.
+  void pass(int number) {
+    states_.pass(number);
+    coordinates_.pass(number);
+  }
 
   /// Passes every block to `programmed` before the planner gets it.
   void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
@@ -137,7 +149,8 @@ class Feeder {
   int answered_ = 0;               // the number of the block whose pause has been answered last
   bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue
-  StateHistory states_;
+  BlockHistory<MachineState> states_;
+  BlockHistory<ipr::Coordinates> coordinates_;
   SpindleWait spindle_;
   bool ended_ = false, waiting_ = false;
   bool patient_;

@@ -3,19 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace softcnc::runtime {
 
 void Requests::set_feed_override(double feed_override) noexcept {
   if (std::isnan(feed_override)) return;
-  control_.feed_override = within_limits(feed_override);
-  pending_ = true;
+  const double before = std::exchange(control_.feed_override, within_limits(feed_override));
+  pending_ = pending_ || before != control_.feed_override;
 }
 
 void Requests::set_rapid_override(double rapid_override) noexcept {
   if (std::isnan(rapid_override)) return;
-  control_.rapid_override = std::clamp(rapid_override, kSmallestRapid, kLargestRapid);
-  pending_ = true;
+  const double before = std::exchange(control_.rapid_override,
+                                      std::clamp(rapid_override, kSmallestRapid, kLargestRapid));
+  pending_ = pending_ || before != control_.rapid_override;
 }
 
 void Requests::hold() noexcept { control_.hold = pending_ = true; }

@@ -106,11 +106,14 @@ SessionStatus Session::end_of_motion() noexcept {
 }
 
 /// Where all that has been fed has been run, lines without a block count too.
-MachineState Session::state() const {
+bool Session::is_all_run() const noexcept {
   const bool is_run = (rests_ && status_ == SessionStatus::waiting) ||
                       status_ == SessionStatus::done || status_ == SessionStatus::error;
-  MachineState state = is_run && !requests_.stops() ? channel_->feeder().memory().modal.state
-                                                    : channel_->feeder().states().present();
+  return is_run && !requests_.stops();
+}
+
+MachineState Session::state() const {
+  MachineState state = is_all_run() ? memory().modal.state : channel_->feeder().states().present();
   state.position = KeptPosition{last_.position};
   return state;
 }
@@ -192,7 +195,7 @@ Row Session::exchange(const Setpoint& setpoint) {
     measure_contour(setpoint, backend_.actual(), *contour_, values_);
   }
   planned_s_ = setpoint.s;
-  channel_->feeder().states().pass(setpoint.block);
+  channel_->feeder().pass(setpoint.block);
   channel_->forget_passed();
   last_ = row;
   if (sink_ && !sink_->row(row, values_)) requests_.stop();
@@ -200,7 +203,12 @@ Row Session::exchange(const Setpoint& setpoint) {
 }
 
 AxisVector Session::programmed(const AxisVector& place) const noexcept {
-  return channel_->feeder().memory().modal.coordinates.to_program(place);
+  const auto& present = channel_->feeder().coordinates().present();
+  return (is_all_run() ? memory().modal.coordinates : present).to_program(place);
+}
+
+int Session::blocks_ahead() const noexcept {
+  return std::max(channel_->feeder().last_number() - (last_.block - before_.block), 0);
 }
 
 std::optional<AxisVector> Session::goal() const noexcept {

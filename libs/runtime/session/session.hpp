@@ -75,6 +75,10 @@ class Session {
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
   /// where they are.
   void rest() noexcept;
+  /// Returns whether it comes to rest there.
+  bool rests() const noexcept { return rests_; }
+  /// Reads all that has been fed, so that what is wrong with it is reported now.
+  void read_all() noexcept { channel_->read_all(); }
 
   /// Moves the machine by one period and returns the row; nothing unless the status is then
   /// `running`. Throws only std::bad_alloc.
@@ -127,9 +131,14 @@ class Session {
   const Pause* pause() const noexcept {
     return status_ == SessionStatus::paused ? &channel_->feeder().pauses().front() : nullptr;
   }
-  /// Returns a place of the machine in the coordinates of the lines that have been read, mm: these
-  /// are ahead of the motion.
+  /// Returns modes, offsets and variables of the lines that have been read: these are ahead of the
+  /// motion.
+  const ipr::Memory& memory() const noexcept { return channel_->feeder().memory(); }
+  /// Returns a place of the machine in the coordinates of the block that runs, or, where all has
+  /// been run, of those lines, mm.
   AxisVector programmed(const AxisVector& place) const noexcept;
+  /// Returns how many blocks have been read that the machine has not come to.
+  int blocks_ahead() const noexcept;
   /// Returns where the present move ends, mm, machine coordinates; nothing between moves.
   std::optional<AxisVector> goal() const noexcept;
   /// Returns the last row, without pulses and fine points; at a pause, where the machine rests.
@@ -138,6 +147,7 @@ class Session {
   const AxisVector& position() const noexcept { return last_.position; }
 
  private:
+  bool is_all_run() const noexcept;
   void begin();
   void begin_again(ipr::Memory* memory);
   SessionStatus end_of_motion() noexcept;

@@ -282,7 +282,7 @@ void Simulation::look_at_rows(const Feedback& last) {
     watcher_->reads(channel_.feeder().read_to(), Reading::run);
     watcher_->sees(outcome_.last);
   }
-  channel_.feeder().states().pass(outcome_.last.block);
+  channel_.feeder().pass(outcome_.last.block);
   outcome_.cpu.output += lap();
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
 }
@@ -337,7 +337,7 @@ Outcome Simulation::finish() {
   if (!wanted_ && outcome_.end == Outcome::End::done) outcome_.end = Outcome::End::broken_off;
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && requests_.stops()) outcome_.end = Outcome::End::stopped;
-  const StateHistory& states = channel_.feeder().states();
+  const BlockHistory<MachineState>& states = channel_.feeder().states();
   outcome_.state = outcome_.end == Outcome::End::done ? states.last() : states.present();
   outcome_.state.position = kept_position();
   outcome_.time = channel_.time();

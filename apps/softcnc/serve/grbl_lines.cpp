@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The lines of G-code: when they are read, and when they are answered.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "serve/grbl_control.hpp"
+#include "serve/grbl_numbers.hpp"
+
+namespace softcnc::app {
+namespace {
+
+using runtime::MachineMode;
+
+constexpr int kMostBlocks =
+    4000;  // that are planned ahead: some 1.5 s of chords of 0.1 mm at F15000
+
+}  // namespace
+
+void GrblControl::read_on() {
+  while (may_read() && !input_.empty()) answer(input_.next());
+}
+
+/// Whether the next line is to be read. What a line has waited for gets its answer here.
+bool GrblControl::may_read() {
+  const runtime::Operator& control = machine_.control();
+  const auto mode = control.mode();
+  const bool rests = !control.in_motion() && mode != MachineMode::hold;
+  switch (wait_) {
+    case Wait::nothing:
+      break;
+    case Wait::fewer_blocks:
+      if (control.blocks_ahead() >= kMostBlocks && mode == MachineMode::run) return false;
+      end_wait();
+      break;
+    case Wait::rest:
+    case Wait::homed:
+    case Wait::recovery:
+      if (!rests || mode == MachineMode::door) return false;
+      end_wait();
+      break;
+  }
+  return mode != MachineMode::hold && mode != MachineMode::door && mode != MachineMode::home &&
+         mode != MachineMode::sleep;
+}
+
+void GrblControl::end_wait() {
+  const Wait was = std::exchange(wait_, Wait::nothing);
+  if (was == Wait::recovery) return;  // its line has its answer
+  if (machine_.control().mode() == MachineMode::alarm) return say_error(GrblError::kLocked);
+  if (was == Wait::homed) locked_ = !machine_.control().knows_position();
+  if (probes(waiting_)) say(reports_.probed(machine_));
+  if (ends_program(waiting_)) say("[MSG:Pgm End]");
+  if (!found_.empty()) return refuse(found_.front());
+  say("ok");
+}
+
+void GrblControl::answer(const GrblInput::Line& line) {
+  found_.clear();
+  if (line.too_long) return say_error(GrblError::kTooLong);
+  const std::size_t begin = line.text.find_first_not_of(" \t");
+  if (begin != std::string::npos && line.text[begin] == '$') return dollar(line.text.substr(begin));
+  if (is_blank(line.text)) return say("ok");
+  if (is_locked() || machine_.control().mode() == MachineMode::jog)
+    return say_error(GrblError::kLocked);
+  if (machine_.control().in_program()) return say_error(GrblError::kNotIdle);
+  run(line.text);
+}
+
+/// An error in a line leaves it out; the lines after it follow once the machine rests.
+void GrblControl::run(const std::string& line) {
+  waiting_ = grbl_words(line);
+  const bool taken = requests_.line(line);
+  const bool goes_on = machine_.machine().attendance.on_error == OnError::go_on;
+  if (!found_.empty() || !taken) {
+    if (found_.empty())
+      say_error(GrblError::kNotIdle);
+    else
+      refuse(found_.front());
+    const bool is_probe =
+        probes(waiting_) && !found_.empty() && found_.front().code == Code::SC2394;
+    found_.clear();
+    waiting_.clear();
+    wait_ = Wait::recovery;
+    if (is_probe) say(fmt::format("ALARM:{}", GrblAlarm::kNoContact));
+    locked_ = locked_ || is_probe;
+    if (!goes_on) hold();
+    return;
+  }
+  if (machine_.control().is_line_open()) return say("ok");
+  wait_ = waits_for_motion(waiting_) ? Wait::rest : Wait::fewer_blocks;
+}
+
+}  // namespace softcnc::app
