@@ -222,6 +222,81 @@ TEST_CASE("a jog stops in time, and drops those that were sent before it", "[app
   CHECK((served.place() - AxisVector(5, 27.4, 0)).norm() < 1e-6);
 }
 
+TEST_CASE("a cancel drops the jogs that were sent before it, wherever the machine is",
+          "[apps][serve]") {
+  Served served;
+  CHECK(served.say("$J=G91 X50 F3000\n\x85", 0.5) == "ok\r\n");
+  CHECK(served.place()[0] < 1);
+  const double before = served.place()[0];
+  CHECK(served.say("G4 P0.2\n$J=G91 X5 F3000\n\x85", 1) == "ok\r\nok\r\n");
+  CHECK(served.place()[0] == before);
+  served.say("!", 0.1);
+  served.say("$J=G91 X5 F3000\n\x85~", 1);
+  CHECK(served.place()[0] == before);
+  CHECK(served.say("G90\n$J=G91 X1 F3000\n", 1) == "ok\r\nok\r\n");  // no moment of Run between
+  CHECK(served.place()[0] == Approx(before + 1));
+  CHECK(served.say("$J=G91 X1,5 F100\n$J=G91 X1 X2 F100\n$J=G91 X Y F100\n") ==
+        "error:2\r\nerror:25\r\nerror:2\r\n");
+}
+
+TEST_CASE("a loop without an end is held, and left by a reset", "[apps][serve]") {
+  Served served;
+  const std::string loop = "o100 while [1]\nG91 G1 X0.1 F600\nG1 X-0.1\no100 endwhile\n";
+  CHECK(count_of(served.say(loop, 1), "ok") == 4);
+  CHECK(begins(served.report(), "<Run|"));
+  served.say("!", 0.3);
+  CHECK(begins(served.report(), "<Hold:0|"));
+  served.say("\x18", 0.2);
+  CHECK(begins(served.report(), "<Idle|"));
+}
+
+TEST_CASE("homing that is broken off leaves the machine locked, and a hold stops the way to a tool",
+          "[apps][serve]") {
+  Served served({}, SOFTCNC_SOURCE_DIR "/programs/31_first_part.toml");
+  served.say("$H\n", 0.3);
+  served.say("\x84", 0.5);
+  served.say("~", 0.2);
+  CHECK(begins(served.report(), "<Alarm|"));
+  CHECK(served.say("$H\n", 60) == "ok\r\n");
+  served.say("G53 G0 X100 Y80 Z-20\n", 10);
+  served.say("T1 M6\n", 0.4);
+  served.say("!", 0.5);
+  const AxisVector held = served.place();
+  served.wait(1);
+  CHECK(served.place() == held);
+  CHECK((held - AxisVector(0, -80, 60)).norm() > 1);
+  served.say("~", 10);
+  CHECK((served.place() - AxisVector(0, -80, 60)).norm() < 1e-6);
+  CHECK(served.say("~", 10) == "ok\r\n");
+  CHECK((served.place() - AxisVector(100, 80, -20)).norm() < 1e-6);
+}
+
+TEST_CASE("a client that has gone leaves nothing behind that moves", "[apps][serve]") {
+  Served served({"operate.alone_s=1"});
+  served.say("M3 S500\no1 repeat [3]\nG91 G1 X500 F3000\n", 0.2);
+  served.control->leave_alone();
+  served.control->come_back();
+  CHECK(served.say("G91 G1 Y1 F3000\n", 1) == "ok\r\n");
+  CHECK((served.place() - AxisVector(0, 1, 0)).norm() < 1e-6);
+  served.say("G1 X50 F3000\n", 0.3);
+  served.control->leave_alone();
+  served.wait(0.5);
+  CHECK(begins(served.report(), "<Hold:0|"));
+  CHECK(served.machine->control().outputs().spindle_rpm == 500);
+  served.wait(1);
+  CHECK(served.machine->control().outputs() == Outputs{});
+}
+
+TEST_CASE("after a program modes are grbl's, and the contact stays where it was", "[apps][serve]") {
+  Served served({"contact.block.min_mm=[-10,-10,-20]", "contact.block.max_mm=[10,10,-5]"});
+  served.say("G55 G91 G18 M3 S1000 M8\n\x91M30\n", 0.3);
+  CHECK(count_of(served.say("$G\n"), " G54 G17 G21 G90 G94 M5 M9 ") == 1);
+  CHECK(count_of(served.report(), "Ov:110") == 0);
+  served.say("G38.2 Z-9 F100\n", 10);
+  served.say("G10 L20 P1 Z0\nG20\n", 0.1);
+  CHECK(count_of(served.say("$#\n"), "[PRB:0.000,0.000,-5.000:1]") == 1);
+}
+
 TEST_CASE("streamed chords are the rows that run makes of their file", "[apps][serve]") {
   const bool counts = GENERATE(false, true);  // characters, or waits for each answer
   constexpr int kChords = 2000;
@@ -334,6 +409,7 @@ TEST_CASE("a request of HTTP is known before anything of it is run", "[apps][ser
   CHECK(looks_like_http("G0 X1\n") == Http::no);
   CHECK(looks_like_http("?") == Http::no);
   CHECK(looks_like_http("$I\n") == Http::no);
+  CHECK(looks_like_http("\x16\x03\x01~") == Http::yes);  // https
 }
 
 TEST_CASE("messages of errors cannot be taken for answers", "[apps][serve]") {

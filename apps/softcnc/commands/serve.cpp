@@ -85,6 +85,9 @@ void Server::take_beside(int client, const std::string& bytes) {
     if (byte == RealTime::report) clients_.send(client, control_.report() + "\r\n");
     if (byte == RealTime::hold || byte == RealTime::door || byte == RealTime::reset)
       control_.act(byte);
+    const std::string said = control_.take_output();  // the banner after a reset
+    clients_.send(client, said);
+    if (commands_) clients_.send(*commands_, said);
   });
   for (; !input.empty(); input.next()) clients_.send(client, "error:8\r\n");
 }
@@ -93,9 +96,7 @@ int Server::run() {
   int status = 0;
   while (!control_.is_over()) {
     const double patience = machine_.control().in_motion() ? kByteInMotion : kByteAtRest;
-    const bool is_full = commands_ && !control_.takes_more();
-    for (const Clients::Event& event : clients_.wait(patience, is_full ? commands_ : std::nullopt))
-      take(event);
+    for (const Clients::Event& event : clients_.wait(patience)) take(event);
     if (signals_.poll() != 0 && !std::exchange(ends_, true)) control_.end();
     if (const Status moved = control_.advance(served_time()); !moved)
       status = worse_status(status, exit_status(moved.error()));

@@ -18,6 +18,9 @@
 #include <thread>
 #include <utility>
 
+// Of <term.h>, whose macros have the names of everything.
+extern "C" int setupterm(const char* name, int descriptor, int* is_known);
+
 namespace softcnc::app {
 namespace {
 
@@ -123,7 +126,9 @@ Result<std::unique_ptr<TerminalWindow>> TerminalWindow::open() {
     return refused("standard input and output are not both a terminal");
   termios before{};
   ::tcgetattr(STDIN_FILENO, &before);
-  if (::newterm(nullptr, stdout, stdin) == nullptr)
+  int is_known = 0;
+  if (::setupterm(nullptr, STDOUT_FILENO, &is_known) != OK ||
+      ::newterm(nullptr, stdout, stdin) == nullptr)
     return refused("the terminal is not known by its name in TERM");
   ::raw();
   ::noecho();

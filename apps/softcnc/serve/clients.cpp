@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace softcnc::app {
@@ -58,6 +59,8 @@ struct Addresses {
 Http looks_like_http(std::string_view text) noexcept {
   constexpr std::array<std::string_view, 9> kMethods{
       "GET ", "POST ", "HEAD ", "PUT ", "OPTIONS ", "DELETE ", "CONNECT ", "TRACE ", "PATCH "};
+  constexpr char kHandshake = 0x16;  // of TLS
+  if (!text.empty() && text.front() == kHandshake) return Http::yes;
   Http found = Http::no;
   for (const std::string_view method : kMethods) {
     if (text.starts_with(method)) return Http::yes;
@@ -76,8 +79,11 @@ Result<std::unique_ptr<Clients>> Clients::open(const std::string& link,
   return clients;
 }
 
+/// The link of another server stays.
 Clients::~Clients() {
-  if (!link_.empty()) ::unlink(link_.c_str());
+  std::error_code error;
+  if (!link_.empty() && std::filesystem::read_symlink(link_, error) == terminal_)
+    ::unlink(link_.c_str());
 }
 
 /// A link that is there already is replaced; anything else stays.
@@ -92,6 +98,7 @@ Status Clients::open_terminal(const std::string& link) {
   if (::lstat(link.c_str(), &info) == 0 && S_ISLNK(info.st_mode)) ::unlink(link.c_str());
   if (::symlink(terminal.c_str(), link.c_str()) != 0) return not_open(link, std::strerror(errno));
   link_ = link;
+  terminal_ = terminal;
   places_ = link;
   clients_.push_back({next_++, std::move(master), true, false, {}, true, {}});
   return {};
@@ -101,6 +108,8 @@ Status Clients::listen(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   const std::string host = colon == std::string::npos ? "127.0.0.1" : address.substr(0, colon);
   const std::string port = colon == std::string::npos ? address : address.substr(colon + 1);
+  if (host.empty() || port.empty() || port.size() > 5 || std::atoi(port.c_str()) > 65535)
+    return not_open(address, "is not PORT or HOST:PORT, with a port up to 65535");
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   wanted.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
@@ -128,7 +137,10 @@ void Clients::accept(std::vector<Event>& events) {
   runtime::Descriptor accepted(::accept(*listening_, nullptr, nullptr));
   if (*accepted < 0 || !set_nonblocking(*accepted) || clients_.size() >= kMostClients) return;
   constexpr int kOn = 1;
+  constexpr unsigned kMostSilent = 10'000;  // ms: of a network that is lost
   ::setsockopt(*accepted, IPPROTO_TCP, TCP_NODELAY, &kOn, sizeof kOn);
+  ::setsockopt(*accepted, SOL_SOCKET, SO_KEEPALIVE, &kOn, sizeof kOn);
+  ::setsockopt(*accepted, IPPROTO_TCP, TCP_USER_TIMEOUT, &kMostSilent, sizeof kMostSilent);
   clients_.push_back({next_, std::move(accepted), false, true, {}, false, {}});
   events.push_back({Event::Kind::connected, next_++});
 }
@@ -174,11 +186,10 @@ void Clients::send(int number, std::string_view text) {
     }
 }
 
-std::vector<Clients::Event> Clients::wait(double seconds, std::optional<int> unread) {
+std::vector<Clients::Event> Clients::wait(double seconds) {
   std::vector<pollfd> sources{{*listening_, POLLIN, 0}};
   for (const Client& client : clients_) {
-    const bool reads = unread != client.number;
-    const int wanted = (reads ? POLLIN : 0) | (client.to_send.empty() ? 0 : POLLOUT);
+    const int wanted = POLLIN | (client.to_send.empty() ? 0 : POLLOUT);
     // A terminal that nobody has open would end every wait at once.
     const bool is_closed = client.is_terminal && !client.is_there;
     sources.push_back({is_closed ? -1 : *client.descriptor, static_cast<short>(wanted), 0});

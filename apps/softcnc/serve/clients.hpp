@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +31,8 @@ class Clients {
   Clients& operator=(const Clients&) = delete;
   ~Clients();
 
-  /// Waits at most `seconds` for something to happen, and returns what has. `reads` is whether the
-  /// client that commands may send more; real-time bytes of the others are always read.
-  std::vector<Event> wait(double seconds, std::optional<int> unread);
+  /// Waits at most `seconds` for something to happen, and returns what has.
+  std::vector<Event> wait(double seconds);
   void send(int client, std::string_view text);
 
   /// Returns what clients can connect to, for a person.
@@ -59,7 +57,7 @@ class Clients {
   void write(Client& client);
   void drop(Client& client, std::vector<Event>& events);
 
-  std::string link_, places_;
+  std::string link_, terminal_, places_;
   runtime::Descriptor listening_{-1};
   std::vector<Client> clients_;
   int next_ = 0;

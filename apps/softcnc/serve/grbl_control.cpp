@@ -13,7 +13,6 @@ namespace {
 using runtime::MachineMode;
 
 constexpr double kFine = 0.01, kCoarse = 0.1;
-const char* const kUnlockMessage = "[MSG:'$H'|'$X' to unlock]";
 
 }  // namespace
 
@@ -100,9 +99,8 @@ void GrblControl::act(RealTime byte) {
       machine_.control().door_closed();  // there is no switch that says it is open
       return;
     case RealTime::jog_cancel:
-      if (machine_.control().mode() != MachineMode::jog) return;
-      for (int dropped = input_.drop_jogs(); dropped > 0; --dropped) say("ok");
-      static_cast<void>(requests_.cancel());
+      input_.blank_jogs();
+      if (machine_.control().mode() == MachineMode::jog) static_cast<void>(requests_.cancel());
       return;
     case RealTime::feed_100:
       return requests_.override_feed(1);
@@ -138,12 +136,14 @@ void GrblControl::act(RealTime byte) {
 }
 
 void GrblControl::hold() {
-  const auto mode = machine_.control().mode();
-  if (mode == MachineMode::jog) {
+  const runtime::Operator& control = machine_.control();
+  const auto mode = control.mode();
+  const bool holds = mode == MachineMode::idle || mode == MachineMode::run ||
+                     (mode == MachineMode::hold && control.in_motion());
+  if (mode == MachineMode::jog)
     static_cast<void>(requests_.cancel());
-  } else if (mode == MachineMode::idle || mode == MachineMode::run) {
-    if (!is_locked()) static_cast<void>(requests_.hold());
-  }
+  else if (holds && !is_locked())
+    static_cast<void>(requests_.hold());
 }
 
 void GrblControl::resume() {
@@ -154,7 +154,18 @@ void GrblControl::resume() {
   }
   const bool begins = program_ && control.mode() == MachineMode::idle && !is_locked() &&
                       wait_ == Wait::nothing && input_.empty();
-  if (begins) static_cast<void>(requests_.start(*program_));
+  if (begins && check_program()) static_cast<void>(requests_.start(*program_));
+}
+
+/// From the state in which it begins: lines may have changed offsets.
+bool GrblControl::check_program() {
+  const runtime::ChannelOptions options = machine_.checking_options();
+  if (program_->checked(options) == nullptr) program_->check(machine_.machine(), options, {});
+  const CheckedProgram* checked = program_->checked(options);
+  if (checked != nullptr && checked->passed) return true;
+  journal_.add(EntryKind::fault, checked == nullptr ? "not checked" : checked->found);
+  say("[MSG:the program cannot run from here: see the log]");
+  return false;
 }
 
 void GrblControl::reset() {
@@ -166,11 +177,11 @@ void GrblControl::reset() {
   requests_.override_feed(1);
   requests_.override_rapid(1);
   requests_.override_spindle(1);
-  if (moves)
+  if (moves && !resetting_)
     say(fmt::format("ALARM:{}",
                     mode == MachineMode::home ? GrblAlarm::kHomingReset : GrblAlarm::kReset));
   resetting_ = moves;
-  was_alarm_ = was_alarm_ || moves;
+  was_alarm_ = moves || machine_.control().mode() == MachineMode::alarm;
   if (!moves) machine_.control().forget_shift();
   begin_again();
 }
@@ -188,8 +199,9 @@ Status GrblControl::advance(double now) {
   journal_.set_time(now);
   Status moved = machine_.advance(now);
   if (!moved) {
+    if (machine_.control().in_motion()) static_cast<void>(requests_.hold());
     journal_.add(moved.error());
-    static_cast<void>(requests_.hold());
+    say(grbl_message(moved.error()));
   }
   if (resetting_ && !machine_.control().in_motion()) {
     resetting_ = false;
@@ -215,19 +227,25 @@ void GrblControl::watch_alarm() {
 
 void GrblControl::leave_alone() {
   journal_.add(EntryKind::action, "the client has gone");
-  const auto mode = machine_.control().mode();
-  const bool finishes = machine_.machine().attendance.on_disconnect == OnDisconnect::finish;
-  if (mode == MachineMode::jog) static_cast<void>(requests_.cancel());
-  if (finishes && machine_.control().in_program()) return;
-  if (mode == MachineMode::run) static_cast<void>(requests_.hold());
-  input_.forget();
-  wait_ = Wait::nothing;
   alone_since_ = now_;
+  input_.forget();
+  machine_.control().forget_lines();
+  const bool finishes = machine_.machine().attendance.on_disconnect == OnDisconnect::finish;
+  if (!finishes || !machine_.control().in_program()) stop();
+}
+
+/// Whatever moves comes to rest, so that it could go on; homing and jogs end.
+void GrblControl::stop() {
+  wait_ = Wait::nothing;
+  if (!machine_.control().in_motion()) return;
+  static_cast<void>(requests_.cancel());
+  static_cast<void>(requests_.hold());
 }
 
 void GrblControl::end() {
   ends_ = true;
   leave_alone();
+  stop();
 }
 
 void GrblControl::wait_alone() {
@@ -236,7 +254,7 @@ void GrblControl::wait_alone() {
     static_cast<void>(requests_.reset());
     is_over_ = true;
   }
-  if (!alone_since_ || !rests || machine_.control().outputs().spindle_rpm == 0) return;
+  if (!alone_since_ || !rests || machine_.control().outputs() == Outputs()) return;
   if (now_ - *alone_since_ < machine_.machine().attendance.alone) return;
   static_cast<void>(requests_.reset());
   alone_since_.reset();

@@ -47,13 +47,13 @@ class GrblControl {
   /// Comes to rest, and ends once the machine rests.
   void end();
   bool is_over() const noexcept { return is_over_; }
-  /// Returns whether it takes bytes: not where as many wait already as are kept.
-  bool takes_more() const noexcept { return input_.size() < GrblInput::kMostKept; }
 
   /// The banner of grbl, for a client that connects.
   static std::string banner();
 
  private:
+  static constexpr const char* kUnlockMessage = "[MSG:'$H'|'$X' to unlock]";
+
   /// What the answer to a line waits for.
   enum class Wait : std::uint8_t { nothing, rest, homed, fewer_blocks, recovery };
 
@@ -63,8 +63,10 @@ class GrblControl {
   bool may_read();
   void answer(const GrblInput::Line& line);
   void run(const std::string& line);
+  void miss();
+  void begin_modes();
   void jog(std::string_view words);
-  std::optional<runtime::Jog> jog_of(std::string_view text, int& error) const;
+  std::optional<runtime::Jog> jog_of(const std::vector<GrblWord>& words, int& error) const;
   void dollar(const std::string& line);
   void set(std::string_view number, std::string_view value);
   void unlock();
@@ -74,6 +76,8 @@ class GrblControl {
   void refuse(const Diagnostic& why);
   void end_wait();
   void reset();
+  void stop();
+  bool check_program();
   void hold();
   void resume();
   void begin_again();

@@ -30,6 +30,23 @@ std::optional<double> number_of(std::string_view text) {
   return whole ? std::optional(number) : std::nullopt;
 }
 
+/// Reads words with nothing between them; false where there is something else.
+bool read_words(std::string_view text, std::vector<GrblWord>& words) {
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at < end;) {
+    const char letter = *at++;
+    if (letter < 'A' || letter > 'Z') return false;
+    double number = 0;
+    if (at < end && *at == '+') ++at;
+    const bool begins = at < end && (*at == '-' || *at == '.' || (*at >= '0' && *at <= '9'));
+    const auto [after, error] = std::from_chars(at, end, number, std::chars_format::fixed);
+    if (!begins || error != std::errc()) return false;
+    words.push_back({letter, number});
+    at = after;
+  }
+  return true;
+}
+
 }  // namespace
 
 void GrblControl::dollar(const std::string& line) {
@@ -37,7 +54,7 @@ void GrblControl::dollar(const std::string& line) {
   const auto mode = machine_.control().mode();
   const bool idle = mode == MachineMode::idle || mode == MachineMode::alarm;
   if (text.starts_with("$J=")) return jog(std::string_view(text).substr(3));
-  if (text == "$$" && !idle) return say_error(GrblError::kNotIdle);
+  if (text == "$$" && !idle && mode != MachineMode::check) return say_error(GrblError::kNotIdle);
   std::string answer;
   if (text == "$") answer = GrblReports::help();
   if (text == "$$") answer = reports_.settings(machine_.machine());
@@ -108,9 +125,12 @@ void GrblControl::jog(std::string_view words) {
   const auto mode = machine_.control().mode();
   const bool may = mode == MachineMode::jog || (mode == MachineMode::idle && !is_locked());
   if (!may) return say_error(GrblError::kNotIdle);
-  int error = 0;
-  const auto jog = jog_of(words, error);
+  std::vector<GrblWord> read;
+  int error = GrblError::kNoNumber;
+  if (!read_words(words, read)) return say_error(error);
+  const auto jog = jog_of(read, error);
   if (!jog) return say_error(error);
+  if (jog->distance.isZero(0)) return say("ok");  // it is there
   journal_.add(EntryKind::action, fmt::format("jog {}", words));
   const Status taken = machine_.control().jog(*jog);
   if (!taken) return refuse(taken.error());
@@ -119,13 +139,17 @@ void GrblControl::jog(std::string_view words) {
 
 /// "G91X1F100", in the units and distances of this line alone. A place counts from where the jog
 /// before it ends.
-std::optional<runtime::Jog> GrblControl::jog_of(std::string_view text, int& error) const {
+std::optional<runtime::Jog> GrblControl::jog_of(const std::vector<GrblWord>& words,
+                                                int& error) const {
   const runtime::Operator& control = machine_.control();
   double unit = control.mm_per_unit(), feed = 0;
   bool incremental = control.memory().modal.incremental, in_machine = false;
   std::array<std::optional<double>, kAxes> given;
+  error = GrblError::kRepeated;
+  for (std::size_t i = 1; i < words.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (words[i].letter == words[k].letter && words[i].letter != 'G') return std::nullopt;
   error = GrblError::kJogWords;
-  const auto words = grbl_words(text);
   for (const GrblWord& word : words) {
     const auto axis = std::find(kAxisLetters.begin(), kAxisLetters.end(), word.letter);
     if (axis != kAxisLetters.end())
@@ -138,7 +162,8 @@ std::optional<runtime::Jog> GrblControl::jog_of(std::string_view text, int& erro
       incremental = word.number == 91;
     else if (word.letter == 'G' && word.number == 53)
       in_machine = true;
-    else if (word.letter != 'N')
+    else if (word.letter != 'N' &&
+             !(word.letter == 'G' && (word.number == 93 || word.number == 94)))
       return std::nullopt;
   }
   if (std::none_of(given.begin(), given.end(), [](const auto& one) { return one.has_value(); }))

@@ -33,6 +33,8 @@ void GrblInput::take(std::string_view bytes, const std::function<void(RealTime)>
     const auto byte = static_cast<unsigned char>(c);
     if (is_real_time(byte)) {
       act(static_cast<RealTime>(byte));
+    } else if (kept_ >= kMostKept) {
+      begun_.too_long = true;
     } else if (c == '\n' || c == '\r') {
       kept_ += begun_.text.size() + 1;
       lines_.push_back(std::exchange(begun_, {}));
@@ -50,18 +52,12 @@ GrblInput::Line GrblInput::next() {
   return line;
 }
 
-int GrblInput::drop_jogs() {
-  int dropped = 0;
-  std::deque<Line> others;
+void GrblInput::blank_jogs() {
   for (Line& line : lines_)
     if (is_jog(line.text)) {
-      kept_ -= line.text.size() + 1;
-      ++dropped;
-    } else {
-      others.push_back(std::move(line));
+      kept_ -= line.text.size();
+      line.text.clear();
     }
-  lines_ = std::move(others);
-  return dropped;
 }
 
 void GrblInput::forget() {

@@ -48,17 +48,16 @@ class GrblInput {
   };
 
   /// Takes bytes as they come. Each real-time byte goes to `act` at once; every other one above
-  /// 0x7F is dropped. A line ends at a line feed or a carriage return.
+  /// 0x7F is dropped. A line ends at a line feed or a carriage return. Of a sender that does not
+  /// wait for answers, what is beyond kMostKept is lost.
   void take(std::string_view bytes, const std::function<void(RealTime)>& act);
 
   bool empty() const noexcept { return lines_.empty(); }
   Line next();
-  /// Drops the lines that request jogs; returns how many.
-  int drop_jogs();
+  /// Lines that request jogs become blank ones, which get their answers in their turn.
+  void blank_jogs();
   /// Drops everything, the beginning of a line included.
   void forget();
-  /// Returns how many bytes are kept.
-  std::size_t size() const noexcept { return kept_ + begun_.text.size(); }
 
  private:
   std::deque<Line> lines_;

@@ -40,6 +40,9 @@ bool GrblControl::may_read() {
       end_wait();
       break;
   }
+  const bool settles = mode == MachineMode::run && !control.moving() && control.blocks_ahead() == 0;
+  const bool brakes = mode == MachineMode::jog && control.ends_jog();
+  if (settles || brakes) return false;  // the next state is a moment away
   return mode != MachineMode::hold && mode != MachineMode::door && mode != MachineMode::home &&
          mode != MachineMode::sleep;
 }
@@ -48,9 +51,19 @@ void GrblControl::end_wait() {
   const Wait was = std::exchange(wait_, Wait::nothing);
   if (was == Wait::recovery) return;  // its line has its answer
   if (machine_.control().mode() == MachineMode::alarm) return say_error(GrblError::kLocked);
-  if (was == Wait::homed) locked_ = !machine_.control().knows_position();
-  if (probes(waiting_)) say(reports_.probed(machine_));
-  if (ends_program(waiting_)) say("[MSG:Pgm End]");
+  if (was == Wait::homed) {
+    locked_ = !machine_.control().has_homed() || !machine_.control().knows_position();
+    return locked_ ? say_error(GrblError::kLocked) : say("ok");
+  }
+  if (probes(waiting_)) {
+    reports_.keep_probed(machine_);
+    say(reports_.probed());
+  }
+  if (sets_offset(waiting_)) reports_.show_offset();
+  if (ends_program(waiting_)) {
+    say("[MSG:Pgm End]");
+    begin_modes();
+  }
   if (!found_.empty()) return refuse(found_.front());
   say("ok");
 }
@@ -67,28 +80,45 @@ void GrblControl::answer(const GrblInput::Line& line) {
   run(line.text);
 }
 
+/// The modes that grbl has after a program.
+void GrblControl::begin_modes() {
+  static_cast<void>(machine_.control().line("G54 G17 G90 G94 M05 M09\n"));
+  requests_.override_feed(1);
+  requests_.override_rapid(1);
+  requests_.override_spindle(1);
+}
+
 /// An error in a line leaves it out; the lines after it follow once the machine rests.
 void GrblControl::run(const std::string& line) {
   waiting_ = grbl_words(line);
   const bool taken = requests_.line(line);
-  const bool goes_on = machine_.machine().attendance.on_error == OnError::go_on;
-  if (!found_.empty() || !taken) {
-    if (found_.empty())
-      say_error(GrblError::kNotIdle);
-    else
-      refuse(found_.front());
-    const bool is_probe =
-        probes(waiting_) && !found_.empty() && found_.front().code == Code::SC2394;
-    found_.clear();
-    waiting_.clear();
-    wait_ = Wait::recovery;
-    if (is_probe) say(fmt::format("ALARM:{}", GrblAlarm::kNoContact));
-    locked_ = locked_ || is_probe;
-    if (!goes_on) hold();
+  if (found_.empty() && taken) {
+    if (machine_.control().is_line_open()) return say("ok");
+    wait_ = waits_for_motion(waiting_) ? Wait::rest : Wait::fewer_blocks;
     return;
   }
-  if (machine_.control().is_line_open()) return say("ok");
-  wait_ = waits_for_motion(waiting_) ? Wait::rest : Wait::fewer_blocks;
+  const bool misses = probes(waiting_) && !found_.empty() && found_.front().code == Code::SC2394;
+  if (misses)
+    miss();
+  else if (found_.empty())
+    say_error(GrblError::kNotIdle);
+  else
+    refuse(found_.front());
+  found_.clear();
+  waiting_.clear();
+  wait_ = Wait::recovery;
+  if (machine_.machine().attendance.on_error == OnError::hold) hold();
+}
+
+/// A probing move that would meet nothing.
+void GrblControl::miss() {
+  reports_.lose_probed();
+  say(grbl_message(found_.front()));
+  say(fmt::format("ALARM:{}", GrblAlarm::kNoContact));
+  say(reports_.probed());
+  say("ok");
+  say(kUnlockMessage);
+  locked_ = true;
 }
 
 }  // namespace softcnc::app

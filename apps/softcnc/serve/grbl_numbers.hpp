@@ -11,7 +11,8 @@ namespace softcnc::app {
 /// The errors of grbl that the protocol itself gives.
 struct GrblError {
   static constexpr int kNoNumber = 2, kStatement = 3, kNoHoming = 5, kNotIdle = 8, kLocked = 9,
-                       kTooLong = 11, kTravel = 15, kJogWords = 16, kUnsupported = 20, kNoFeed = 22;
+                       kTooLong = 11, kTravel = 15, kJogWords = 16, kUnsupported = 20, kNoFeed = 22,
+                       kRepeated = 25;
 };
 struct GrblAlarm {
   static constexpr int kLimit = 1, kReset = 3, kProbeClosed = 4, kNoContact = 5, kHomingReset = 6,

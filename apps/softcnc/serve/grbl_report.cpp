@@ -114,6 +114,12 @@ std::string GrblReports::status(const AttendedMachine& machine, const Requests& 
   const auto& percent = requests.overrides();
   std::string overrides = fmt::format("{:.0f},{:.0f},{:.0f}", 100 * percent.feed,
                                       100 * percent.rapid, 100 * percent.spindle);
+  std::string on;
+  const Outputs& outputs = control.outputs();
+  if (outputs.spindle_rpm != 0) on += outputs.spindle_rpm > 0 ? 'S' : 'C';
+  if (outputs.flood) on += 'F';
+  if (outputs.mist) on += 'M';
+  if (!on.empty()) overrides += "|A:" + on;
   if (offset != offset_) to_offset_ = 0;
   if (overrides != overrides_) to_overrides_ = std::min(to_overrides_, to_offset_ == 0 ? 1 : 0);
   if (to_offset_ <= 0) {
@@ -125,12 +131,6 @@ std::string GrblReports::status(const AttendedMachine& machine, const Requests& 
     text += "|Ov:" + overrides;
     overrides_ = std::move(overrides);
     to_overrides_ = moves ? kOverridesMoving : kAtRest;
-    std::string on;
-    const Outputs& outputs = control.outputs();
-    if (outputs.spindle_rpm != 0) on += outputs.spindle_rpm > 0 ? 'S' : 'C';
-    if (outputs.flood) on += 'F';
-    if (outputs.mist) on += 'M';
-    if (!on.empty()) text += "|A:" + on;
   }
   --to_offset_;
   --to_overrides_;
@@ -177,24 +177,30 @@ std::string GrblReports::offsets(const AttendedMachine& machine) const {
   text += fmt::format("[G92:{}]\r\n",
                       place(state.shift_on ? state.shift : AxisVector(AxisVector::Zero())));
   text += fmt::format("[TLO:{:.3f}]\r\n", modal.tool_offset[2] / (inches_ ? kMmPerInch : 1));
-  return text + probed(machine);
+  return text + probed();
 }
 
 /// Programs find the contact in #5061 to #5063, in their coordinates, and in #5070 whether there
 /// was one.
-std::string GrblReports::probed(const AttendedMachine& machine) const {
+void GrblReports::keep_probed(const AttendedMachine& machine) {
   constexpr int kFirst = 5061, kContact = 5070;
   const runtime::Operator& control = machine.control();
   const auto read = [&](int number) {
     const double value = control.memory().parameters.read(number).value_or(0);
     return std::isfinite(value) ? value : 0;
   };
-  if (read(kContact) == 0) return fmt::format("[PRB:{}:0]", place(AxisVector::Zero()));
+  probed_.reset();
+  if (read(kContact) == 0) return;
   AxisVector there;
   for (int axis = 0; axis < kAxes; ++axis)
     there[axis] = read(kFirst + axis) * control.mm_per_unit();
   const AxisVector& here = control.position();
-  return fmt::format("[PRB:{}:1]", place(here + there - control.programmed(here)));
+  probed_ = here + there - control.programmed(here);
+}
+
+std::string GrblReports::probed() const {
+  return probed_ ? fmt::format("[PRB:{}:1]", place(*probed_))
+                 : fmt::format("[PRB:{}:0]", place(AxisVector::Zero()));
 }
 
 std::string GrblReports::modes(const AttendedMachine& machine) const {

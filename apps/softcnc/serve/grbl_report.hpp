@@ -2,6 +2,7 @@
 // What grbl 1.1 reports, in its form.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "operate/attended_machine.hpp"
@@ -15,6 +16,8 @@ class GrblReports {
   /// them: after a reset, after a change, and every now and then.
   std::string status(const AttendedMachine& machine, const Requests& requests,
                      const std::string& state);
+  /// Work offsets have been set, even if to the same: the next report has them.
+  void show_offset() noexcept { to_offset_ = 0; }
   /// As after a reset.
   void begin_again() noexcept { to_offset_ = 0, to_overrides_ = 1; }
 
@@ -26,8 +29,11 @@ class GrblReports {
   std::string offsets(const AttendedMachine& machine) const;
   /// $G
   std::string modes(const AttendedMachine& machine) const;
+  /// Keeps where the machine was at the contact that has just been, and forgets it.
+  void keep_probed(const AttendedMachine& machine);
+  void lose_probed() noexcept { probed_.reset(); }
   /// [PRB:...] of the last contact
-  std::string probed(const AttendedMachine& machine) const;
+  std::string probed() const;
   /// $I
   static std::string build();
   /// $
@@ -40,6 +46,7 @@ class GrblReports {
   bool inches_ = false;                   // $13
   int to_offset_ = 0, to_overrides_ = 1;  // reports until they come again
   std::string offset_, overrides_;        // as reported last
+  std::optional<AxisVector> probed_;      // mm, machine coordinates
 };
 
 }  // namespace softcnc::app

@@ -57,9 +57,13 @@ bool probes(const std::vector<GrblWord>& words) {
 
 bool ends_program(const std::vector<GrblWord>& words) { return has(words, 'M', {2, 30}); }
 
+bool sets_offset(const std::vector<GrblWord>& words) {
+  return has(words, 'G', {10, 43.1, 49, 54, 55, 56, 57, 58, 59, 92, 92.1, 92.2});
+}
+
 bool waits_for_motion(const std::vector<GrblWord>& words) {
   return has(words, 'M', {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30}) || probes(words) ||
-         has(words, 'G', {4, 10, 28.1, 30.1, 43.1, 49, 54, 55, 56, 57, 58, 59, 92, 92.1, 92.2}) ||
+         sets_offset(words) || has(words, 'G', {4, 28.1, 30.1}) ||
          std::any_of(words.begin(), words.end(),
                      [](const GrblWord& word) { return word.letter == 'S'; });
 }

@@ -20,6 +20,8 @@ std::vector<GrblWord> grbl_words(std::string_view line);
 bool is_blank(std::string_view line);
 /// Returns whether the answer to a line waits until all motion before it has ended, as grbl's does.
 bool waits_for_motion(const std::vector<GrblWord>& words);
+/// Returns whether it sets or chooses a work offset or a tool length.
+bool sets_offset(const std::vector<GrblWord>& words);
 /// Returns whether it probes; and whether it ends a program.
 bool probes(const std::vector<GrblWord>& words);
 bool ends_program(const std::vector<GrblWord>& words);

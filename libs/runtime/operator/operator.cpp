@@ -90,7 +90,7 @@ Status Operator::run(std::string_view text, bool is_program) {
   completed_ = false;
   dry_ = 0;
   running_ = true;
-  is_program ? session_->end() : session_->read_all();
+  is_program ? session_->end() : session_->read_ahead(kReadAtOnce);
   mode_ = MachineMode::run;
   return {};
 }
@@ -128,7 +128,8 @@ std::optional<Row> Operator::step() {
 std::optional<Row> Operator::step_of(Session& session) {
   auto row = session.step();
   const bool is_dry = !row && session.status() == SessionStatus::waiting && !session.rests();
-  if (is_dry && !moving() && ++dry_ < periods_in(kPatience)) return std::nullopt;
+  const bool may_wait = is_dry && !moving() && session.blocks_ahead() > 0;
+  if (may_wait && ++dry_ < periods_in(kPatience)) return std::nullopt;
   if (is_dry) {  // no line has come in time
     session.rest();
     row = session.step();

@@ -122,6 +122,10 @@ class Operator {
   }
   /// Returns whether a program runs or is held.
   bool in_program() const noexcept { return running_ && is_program_; }
+  /// Returns whether the last home() has found its switches.
+  bool has_homed() const noexcept { return homed_; }
+  /// Returns whether a motion by hand comes to its end and takes no more.
+  bool ends_jog() const noexcept { return jog_ && !jog_->takes_more(); }
   /// Returns whether the last program has come to its end without an error.
   bool has_completed() const noexcept { return completed_; }
   /// Returns whether the machine has been held on its way to the place for tool changes: resume()
@@ -159,6 +163,7 @@ class Operator {
   static constexpr double kStandstill = 1e-6;  // mm/s: rounding, where a move ends
   static constexpr double kSamePlace = 1e-6;   // mm: the same
   static constexpr double kPatience = 0.02;    // s: for the next line, at rest
+  static constexpr int kReadAtOnce = 2000;     // blocks of lines: a loop may have no end
 
   struct Switch {
     int axis, direction;
@@ -218,6 +223,7 @@ class Operator {
   bool returning_ = false;               // to that place
   bool to_change_ = false;               // on the way to the place for tool changes
   bool completed_ = false;               // the last program
+  bool homed_ = false;                   // by the last home()
   std::optional<MachineMode> rests_in_;  // once the machine is at rest,
   bool resets_ = false;                  // spindle and coolant go off then
   bool door_open_ = false;

@@ -111,6 +111,7 @@ Status Operator::home() {
     return refusal("home: the backend has no inputs for home switches");
   open_.forget();
   homing_.emplace(machine_);
+  homed_ = false;
   locked_ = mode_ == MachineMode::alarm;
   mode_ = MachineMode::home;
   home_on();
@@ -131,6 +132,7 @@ void Operator::home_on() {
     return;
   }
   locked_ = false;
+  homed_ = true;
   known_ = known_ || homing.finds_all();
   stand_at(homing.found_place());
   mode_ = mode_at_rest();

@@ -46,6 +46,7 @@ Status Operator::resume() {
   if (!running_) {
     session_->resume();
     mode_ = mode_at_rest();
+    if (turns_on) send_outputs();
     return {};
   }
   if (turns_on) waits_ = periods_to_speed();

@@ -123,10 +123,10 @@ void Channel::come_to_rest() noexcept {
   }
 }
 
-void Channel::read_all() noexcept {
+void Channel::read_ahead(int blocks) noexcept {
   if (broken_ || stopping_) return;
   try {
-    feeder_.read_all(queue_);
+    feeder_.read_ahead(queue_, blocks);
   } catch (...) {
     broken_ = std::current_exception();
   }

@@ -53,8 +53,8 @@ class Channel {
 
   /// Ends the path at rest where what has come so far ends: see Feeder::come_to_rest().
   void come_to_rest() noexcept;
-  /// Reads all that has come so far: Feeder::read_all().
-  void read_all() noexcept;
+  /// Reads what has come so far: Feeder::read_ahead().
+  void read_ahead(int blocks) noexcept;
 
   /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;

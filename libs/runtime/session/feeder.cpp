@@ -2,6 +2,7 @@
 #include "runtime/session/feeder.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "ipo/limits/following_limits.hpp"
@@ -66,15 +67,15 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
   cpu_ += cpu.lap();
 }
 
-void Feeder::read_all(ipo::BlockQueue& queue) {
+void Feeder::read_ahead(ipo::BlockQueue& queue, int blocks) {
   CpuLaps cpu;
-  while (!ended_ && read_block())
+  for (; !ended_ && blocks > 0 && read_block(); --blocks)
     while (auto part = planner_.pop_part()) take(queue, std::move(*part));
   cpu_ += cpu.lap();
 }
 
 void Feeder::come_to_rest(ipo::BlockQueue& queue) {
-  read_all(queue);
+  read_ahead(queue, std::numeric_limits<int>::max());
   CpuLaps cpu;
   constexpr double kPeriods = 2;  // so that a row at rest lies before the end of the queue
   if (!ended_ && !std::exchange(at_rest_, true)) {

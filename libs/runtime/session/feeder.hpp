@@ -40,9 +40,9 @@ class Feeder {
   /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
   /// still change when more of a program comes is left as it is.
   void look_ahead(ipo::BlockQueue& queue, double s, double t);
-  /// Reads all that has come so far, so that what is wrong with it is known, and times what does
-  /// not depend on what may follow.
-  void read_all(ipo::BlockQueue& queue);
+  /// Reads what has come so far, at most `blocks`, so that what is wrong with it is known, and
+  /// times what does not depend on what may follow.
+  void read_ahead(ipo::BlockQueue& queue, int blocks);
   /// The path in the queue ends at rest where what has come so far ends, and the machine stays
   /// there for two periods; more may come.
   void come_to_rest(ipo::BlockQueue& queue);

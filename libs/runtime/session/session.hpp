@@ -77,8 +77,9 @@ class Session {
   void rest() noexcept;
   /// Returns whether it comes to rest there.
   bool rests() const noexcept { return rests_; }
-  /// Reads all that has been fed, so that what is wrong with it is reported now.
-  void read_all() noexcept { channel_->read_all(); }
+  /// Reads what has been fed, at most so many blocks, so that what is wrong with it is reported
+  /// now.
+  void read_ahead(int blocks) noexcept { channel_->read_ahead(blocks); }
 
   /// Moves the machine by one period and returns the row; nothing unless the status is then
   /// `running`. Throws only std::bad_alloc.
