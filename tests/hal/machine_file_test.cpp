@@ -405,11 +405,12 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
                            "search covers in four periods, 0.4 mm [SC7028]\n"));
   }
   SECTION("a place for tool changes beyond the travel") {
-    CHECK(refused_machine("[axis.z]\nmax_mm = 40\n[tool_change]\nat = [0, 0, 50]") ==
-          "mill.toml:4:6: error: tool_change.at: 50 is beyond the travel of axis.z from -1000 to 40 "
-          "[SC7029]\n"
-          "    4 | at = [0, 0, 50]\n"
-          "      |      ^~~~~~~~~~\n");
+    CHECK(
+        refused_machine("[axis.z]\nmax_mm = 40\n[tool_change]\nat = [0, 0, 50]") ==
+        "mill.toml:4:6: error: tool_change.at: 50 is beyond the travel of axis.z from -1000 to 40 "
+        "[SC7029]\n"
+        "    4 | at = [0, 0, 50]\n"
+        "      |      ^~~~~~~~~~\n");
   }
   SECTION("periods that do not divide") {
     CHECK(refused_machine("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==

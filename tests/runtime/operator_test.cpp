@@ -290,8 +290,9 @@ TEST_CASE("a single block that is asked for in motion pauses where the machine r
           "[operator]") {
   const auto instant = GENERATE(20, 100, 300, 450, 700);  // periods
   Desk desk(BackendKind::none, 0);
-  REQUIRE(desk.operated.start("G64 P0.5 F3000\nG01 X10\nX20\nY10\nX30 Y20\nX40\nX10\nX50 Y0\nX0\n"
-                              "Y30\nX5\nX10\nM30\n"));
+  REQUIRE(
+      desk.operated.start("G64 P0.5 F3000\nG01 X10\nX20\nY10\nX30 Y20\nX40\nX10\nX50 Y0\nX0\n"
+                          "Y30\nX5\nX10\nM30\n"));
   desk.run(instant);
   desk.operated.set_single_block(true);
   int pauses = 0;

@@ -18,12 +18,6 @@ namespace {
 constexpr double kFrame = 0.1;                         // s from one picture to the next
 constexpr double kWaitInMotion = 0.005, kWait = 0.02;  // s for a key
 
-/// Returns the time since it was asked for first, s.
-double now() {
-  static const std::int64_t begin = runtime::now_ns();
-  return s_from_ns(static_cast<double>(runtime::now_ns() - begin));
-}
-
 /// The console in its terminal, until the operator quits or is gone.
 class Attendant {
  public:
@@ -55,7 +49,7 @@ class Attendant {
 
 /// All that have come by now are of one instant.
 void Attendant::take_keys() {
-  const double instant = now();
+  const double instant = session_time();
   std::vector<Key> keys = std::exchange(kept_, {});
   const std::vector<Key> more = window_.keys(instant);
   keys.insert(keys.end(), more.begin(), more.end());
@@ -64,13 +58,13 @@ void Attendant::take_keys() {
 }
 
 void Attendant::draw(const char* instead_of_keys) {
-  if (now() - drawn_ < kFrame) return;
+  if (session_time() - drawn_ < kFrame) return;
   Screen screen = window_.blank();
   console_.draw(screen);
   if (instead_of_keys != nullptr)
     screen.put_row(screen.rows() - 1, instead_of_keys, Emphasis::reverse);
   window_.show(std::move(screen));
-  drawn_ = now();
+  drawn_ = session_time();
 }
 
 /// Whoever sends a signal after a hang-up does not want to wait.
@@ -88,7 +82,7 @@ void Attendant::leave(int signal) {
 /// Keys that stop end a check, and then do what they always do.
 bool Attendant::ends_check() {
   draw(" checking the program: Esc ends it");
-  for (const Key& key : window_.keys(now()))
+  for (const Key& key : window_.keys(session_time()))
     if (key.kind == Key::Kind::escape || key.kind == Key::Kind::interrupt || key == key_of('e') ||
         key == key_of(' '))
       kept_.push_back(key);
@@ -101,7 +95,7 @@ int Attendant::run(const std::string& part) {
   while (!console_.is_over()) {
     if (left_by_ == 0) take_keys();
     take_signals();
-    if (const Status moved = console_.advance(now()); !moved)
+    if (const Status moved = console_.advance(session_time()); !moved)
       status = worse_status(status, exit_status(moved.error()));
     const double patience = machine_.control().in_motion() ? kWaitInMotion : kWait;
     if (left_by_ != 0) {
@@ -135,10 +129,8 @@ int operate(const Options& options) {
     status = Attendant(*machine, journal, **window, signals)
                  .run(options.files.empty() ? "" : options.files.front());
   }
-  if (const Status finished = machine->finish(); !finished)
-    status = worse_status(status, messages.fail(finished.error()));
-  if (const Status finished = journal.finish(); !finished)
-    status = worse_status(status, messages.fail(finished.error()));
+  for (const Status& finished : {machine->finish(), journal.finish()})
+    if (!finished) status = worse_status(status, messages.fail(finished.error()));
   return status;
 }
 

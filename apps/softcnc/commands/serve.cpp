@@ -7,10 +7,8 @@
 
 #include "commands/commands.hpp"
 #include "messages/messages.hpp"
-#include "motion/core/units.hpp"
 #include "process/signals.hpp"
 #include "process/standard_error.hpp"
-#include "runtime/realtime/realtime.hpp"
 #include "serve/clients.hpp"
 #include "serve/grbl_control.hpp"
 
@@ -18,11 +16,6 @@ namespace softcnc::app {
 namespace {
 
 constexpr double kByteInMotion = 0.002, kByteAtRest = 0.01;  // s to wait for one
-
-double served_time() {
-  static const std::int64_t begin = runtime::now_ns();
-  return s_from_ns(static_cast<double>(runtime::now_ns() - begin));
-}
 
 /// Returns whether bytes do more than look and stop.
 bool commands(std::string_view bytes) noexcept {
@@ -71,7 +64,7 @@ void Server::take(const Clients::Event& event) {
         control_.come_back();
       }
       if (commands_ == event.client)
-        control_.take(event.bytes, served_time());
+        control_.take(event.bytes, session_time());
       else
         take_beside(event.client, event.bytes);
       break;
@@ -98,7 +91,7 @@ int Server::run() {
     const double patience = machine_.control().in_motion() ? kByteInMotion : kByteAtRest;
     for (const Clients::Event& event : clients_.wait(patience)) take(event);
     if (signals_.poll() != 0 && !std::exchange(ends_, true)) control_.end();
-    if (const Status moved = control_.advance(served_time()); !moved)
+    if (const Status moved = control_.advance(session_time()); !moved)
       status = worse_status(status, exit_status(moved.error()));
     const std::string answers = control_.take_output();
     if (commands_ && !answers.empty()) clients_.send(*commands_, answers);

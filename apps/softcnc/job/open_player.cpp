@@ -16,9 +16,13 @@ constexpr double kWordsAhead = 0.02;
 }  // namespace
 
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine) {
+  return open_player(machine, kWordsAhead);
+}
+
+Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine, double ahead) {
   auto port = hal::Ppdev::open(machine.parallel_port.device);
   if (!port) return tl::make_unexpected(std::move(port.error()));
-  return open_player(machine, std::move(*port), kWordsAhead);
+  return open_player(machine, std::move(*port), ahead);
 }
 
 Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(

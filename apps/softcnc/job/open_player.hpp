@@ -17,7 +17,10 @@ namespace softcnc::app {
 /// shown. Errors: those of hal::Ppdev::open() and of RealtimePlayer::open().
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine);
 
-/// The same on registers that are open already, `ahead` s ahead of the port.
+/// The same, `ahead` s ahead of the port.
+Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine, double ahead);
+
+/// The same on registers that are open already.
 Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(
     const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, double ahead);
 

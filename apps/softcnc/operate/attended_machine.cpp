@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "hal/machine/machine_file.hpp"
-#include "hal/ports/ppdev.hpp"
 #include "hal/trace/trace.hpp"
 #include "job/open_player.hpp"
 #include "job/preflight.hpp"
+#include "motion/core/units.hpp"
 #include "runtime/operator/position_status.hpp"
+#include "runtime/realtime/realtime.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 #include "settings/file_clash.hpp"
 #include "settings/machine_choice.hpp"
@@ -22,22 +23,7 @@ namespace {
 constexpr double kLead = 0.1;
 
 Result<std::unique_ptr<hal::PortPlayer>> open_leading_player(const Machine& machine) {
-  auto port = hal::Ppdev::open(machine.parallel_port.device);
-  if (!port) return tl::make_unexpected(std::move(port.error()));
-  return open_player(machine, std::move(*port), kLead);
-}
-
-bool has_home_switches(const Machine& machine) {
-  return std::any_of(machine.axes.begin(), machine.axes.end(),
-                     [](const Axis& axis) { return has_home_switch(axis); });
-}
-
-/// A machine that can find its zero, and whose place was never kept, does not know where it is.
-bool knows_place(const MachineState& state, const Machine& machine, bool confirmed) {
-  if (!state.position && has_home_switches(machine)) return false;
-  const auto status = runtime::position_status(state, machine.control.backend);
-  return status == runtime::PositionStatus::known ||
-         (status == runtime::PositionStatus::assumed && confirmed);
+  return open_player(machine, kLead);
 }
 
 Result<runtime::TraceRows> open_rows(const std::string& file, const Machine& machine,
@@ -51,6 +37,11 @@ Result<runtime::TraceRows> open_rows(const std::string& file, const Machine& mac
 }
 
 }  // namespace
+
+double session_time() {
+  static const std::int64_t begin = runtime::now_ns();
+  return s_from_ns(static_cast<double>(runtime::now_ns() - begin));
+}
 
 Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& options,
                                                                Messages& messages,
@@ -75,10 +66,7 @@ Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& op
   const Machine& machine = opened->machine_;
   opened->options_ = channel_options(options, {});
   opened->options_.state = std::move(*state);
-  opened->is_assumed_ = runtime::position_status(opened->options_.state, machine.control.backend) ==
-                        runtime::PositionStatus::assumed;
-  if (!knows_place(opened->options_.state, machine, options.assume_position))
-    opened->options_.state.position = KeptPosition{opened->options_.state.place(), true};
+  opened->settle_place(options.assume_position);
   auto backend = hal::open_backend(machine, open_leading_player);
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   opened->backend_ = std::move(*backend);
@@ -88,6 +76,17 @@ Result<std::unique_ptr<AttendedMachine>> AttendedMachine::open(const Options& op
   opened->control_.emplace(machine, opened->options_, *opened->backend_, opened->rows_.get(),
                            std::move(report));
   return opened;
+}
+
+/// A machine that can find its zero, and whose place was never kept, does not know where it is.
+void AttendedMachine::settle_place(bool confirmed) {
+  using enum runtime::PositionStatus;
+  MachineState& state = options_.state;
+  const auto status = runtime::position_status(state, machine_.control.backend);
+  is_assumed_ = status == assumed;
+  const bool is_new = !state.position && runtime::Homing::is_possible(machine_);
+  const bool is_known = status == known || (is_assumed_ && confirmed);
+  if (is_new || !is_known) state.position = KeptPosition{state.place(), true};
 }
 
 runtime::ChannelOptions AttendedMachine::checking_options() const {

@@ -17,6 +17,9 @@
 
 namespace softcnc::app {
 
+/// Returns the time since it was asked for first in this process, s.
+double session_time();
+
 /// Rows for a trace. Where that cannot be written any more the machine goes on.
 class LastingRows final : public runtime::RowSink {
  public:
@@ -70,6 +73,7 @@ class AttendedMachine {
 
   AttendedMachine(Machine machine, MachineMemory memory) noexcept
       : machine_(std::move(machine)), memory_(std::move(memory)) {}
+  void settle_place(bool confirmed);
   Status mark_motion();
   Status keep_state();
 

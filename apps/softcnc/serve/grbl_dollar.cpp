@@ -30,23 +30,6 @@ std::optional<double> number_of(std::string_view text) {
   return whole ? std::optional(number) : std::nullopt;
 }
 
-/// Reads words with nothing between them; false where there is something else.
-bool read_words(std::string_view text, std::vector<GrblWord>& words) {
-  const char* const end = text.data() + text.size();
-  for (const char* at = text.data(); at < end;) {
-    const char letter = *at++;
-    if (letter < 'A' || letter > 'Z') return false;
-    double number = 0;
-    if (at < end && *at == '+') ++at;
-    const bool begins = at < end && (*at == '-' || *at == '.' || (*at >= '0' && *at <= '9'));
-    const auto [after, error] = std::from_chars(at, end, number, std::chars_format::fixed);
-    if (!begins || error != std::errc()) return false;
-    words.push_back({letter, number});
-    at = after;
-  }
-  return true;
-}
-
 }  // namespace
 
 void GrblControl::dollar(const std::string& line) {
@@ -125,10 +108,10 @@ void GrblControl::jog(std::string_view words) {
   const auto mode = machine_.control().mode();
   const bool may = mode == MachineMode::jog || (mode == MachineMode::idle && !is_locked());
   if (!may) return say_error(GrblError::kNotIdle);
-  std::vector<GrblWord> read;
-  int error = GrblError::kNoNumber;
-  if (!read_words(words, read)) return say_error(error);
-  const auto jog = jog_of(read, error);
+  const GrblWords read = read_words(words);
+  if (!read.is_all) return say_error(GrblError::kNoNumber);
+  int error = 0;
+  const auto jog = jog_of(read.words, error);
   if (!jog) return say_error(error);
   if (jog->distance.isZero(0)) return say("ok");  // it is there
   journal_.add(EntryKind::action, fmt::format("jog {}", words));

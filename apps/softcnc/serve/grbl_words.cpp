@@ -30,20 +30,27 @@ bool has(const std::vector<GrblWord>& words, char letter, std::initializer_list<
 
 }  // namespace
 
-std::vector<GrblWord> grbl_words(std::string_view line) {
-  const std::string text = without_comments(line);
-  std::vector<GrblWord> words;
-  for (const char *at = text.data(), *end = at + text.size(); at < end;) {
+GrblWords read_words(std::string_view text) {
+  GrblWords read;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at < end;) {
     const char letter = *at++;
-    if (letter < 'A' || letter > 'Z') continue;
+    const char* number_at = at < end && *at == '+' ? at + 1 : at;
+    const bool begins = number_at < end && (*number_at == '-' || *number_at == '.' ||
+                                            (*number_at >= '0' && *number_at <= '9'));
     double number = 0;
-    if (at < end && *at == '+') ++at;
-    const auto [after, error] = std::from_chars(at, end, number, std::chars_format::fixed);
-    if (error != std::errc()) continue;
-    words.push_back({letter, number});
+    const auto [after, error] = std::from_chars(number_at, end, number, std::chars_format::fixed);
+    const bool is_word = letter >= 'A' && letter <= 'Z' && begins && error == std::errc();
+    read.is_all = read.is_all && is_word;
+    if (!is_word) continue;
+    read.words.push_back({letter, number});
     at = after;
   }
-  return words;
+  return read;
+}
+
+std::vector<GrblWord> grbl_words(std::string_view line) {
+  return read_words(without_comments(line)).words;
 }
 
 bool is_blank(std::string_view line) {

@@ -9,11 +9,20 @@
 
 namespace softcnc::app {
 
-/// The words of a line, without comments: letters and numbers. Expressions are left out.
+/// A letter, in upper case, and its number.
 struct GrblWord {
-  char letter;  // upper case
+  char letter;
   double number;
 };
+
+/// Words, and whether nothing else stands between them, as expressions do.
+struct GrblWords {
+  std::vector<GrblWord> words;
+  bool is_all = true;
+};
+/// Reads a text in upper case, without blanks and comments.
+GrblWords read_words(std::string_view text);
+/// Returns the words of a line, without comments; expressions are left out.
 std::vector<GrblWord> grbl_words(std::string_view line);
 
 /// Returns whether a line has nothing to run: blanks, comments, '%'.

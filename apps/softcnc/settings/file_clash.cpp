@@ -46,12 +46,8 @@ std::string clash(const Options& options, std::span<const NamedFile> written) {
 }
 
 std::vector<NamedFile> written_by(const Options& options) {
-  return {{"--state", options.state},
-          {"--trace", options.trace},
-          {"--log", options.log},
-          {"--report", options.report},
-          {"--output", options.output},
-          {"--junit", options.junit}};
+  return {{"--state", options.state},   {"--trace", options.trace},   {"--log", options.log},
+          {"--report", options.report}, {"--output", options.output}, {"--junit", options.junit}};
 }
 
 NamedFile written_by(const Machine& machine) {

@@ -39,7 +39,8 @@ void Operator::begin_session(const MachineState& state) {
   if (begun_) session_->count_on_from(last_);
   running_ = is_program_ = false;
   left_.reset();
-  returning_ = to_change_ = false;
+  returning_ = false;
+  to_change_.reset();
 }
 
 /// Returns the answer to a request that does nothing in this state; nothing where it acts.
@@ -163,8 +164,7 @@ void Operator::settle_jog() {
   session_->count_on_from(last_);
   if (mode_ == MachineMode::alarm && !rests_in_) switch_.reset();
   if (rests_in_) return ended();
-  if (const auto& at = machine_.attendance.tool_change; to_change_)
-    to_change_ = (last_.position - AxisVector(at[0], at[1], at[2])).norm() > kSamePlace;
+  if (to_change_ && (last_.position - *to_change_).norm() <= kSamePlace) to_change_.reset();
   if (homing_) return home_on();
   if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = mode_at_rest();
   if (!returning_) return;

@@ -40,8 +40,9 @@ class Operator {
 
   /// Runs lines, with the modes that the lines before have left, and without a stop between them
   /// where they come in time: within kPatience at rest, and in motion before the machine has to
-  /// brake for the end of those before. What is wrong with a line is reported before this returns.
-  /// Lines that open a loop or a subprogram wait until it is closed. Errors: SC5070, SC5080.
+  /// brake for the end of those before. What is wrong with the first kReadAtOnce blocks is reported
+  /// before this returns. Lines that open a loop or a subprogram wait until it is closed. Errors:
+  /// SC5070, SC5080.
   Status line(std::string_view text);
   /// Returns whether line() waits for the end of a loop or a subprogram.
   bool is_line_open() const noexcept { return open_.is_open(); }
@@ -130,7 +131,7 @@ class Operator {
   bool has_completed() const noexcept { return completed_; }
   /// Returns whether the machine has been held on its way to the place for tool changes: resume()
   /// leads there first.
-  bool is_short_of_change() const noexcept { return to_change_; }
+  bool is_short_of_change() const noexcept { return to_change_.has_value(); }
   /// Returns what a program waits for in Hold; null: for nothing but resume().
   const Pause* pause() const noexcept { return running_ ? session_->pause() : nullptr; }
   bool moving() const noexcept { return last_.v > kStandstill; }
@@ -221,7 +222,7 @@ class Operator {
   bool running_ = false, is_program_ = false;
   std::optional<AxisVector> left_;       // mm: where a jog in Hold has left the program
   bool returning_ = false;               // to that place
-  bool to_change_ = false;               // on the way to the place for tool changes
+  std::optional<AxisVector> to_change_;  // mm: the place for tool changes, on the way there
   bool completed_ = false;               // the last program
   bool homed_ = false;                   // by the last home()
   std::optional<MachineMode> rests_in_;  // once the machine is at rest,

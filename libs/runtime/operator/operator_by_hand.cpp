@@ -90,8 +90,8 @@ void Operator::change_tool() {
 
 void Operator::move_to_change() {
   const std::vector<double>& at = machine_.attendance.tool_change;
-  to_change_ = true;
-  move_over_to(AxisVector(at[0], at[1], at[2]));
+  to_change_ = AxisVector(at[0], at[1], at[2]);
+  move_over_to(*to_change_);
 }
 
 Status Operator::cancel() {
