@@ -94,6 +94,7 @@ LEFT_OUT = {
     "scripts/check rs274": "installs linuxcnc-uspace",
     "scripts/check hal": "installs linuxcnc-uspace",
     "scripts/check parport": "boots another kernel in an emulator",
+    "scripts/check cncjs": "installs CNCjs from npm",
     "tests/apps/documented_commands.py": "is this one",
     "tests/oracle/check_trace.py": "is part of another test",
     "tests/oracle/mixed_paths.py": "is part of another test",
