@@ -148,6 +148,46 @@ TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") 
   CHECK(record.writes.size() < 6'000);
 }
 
+TEST_CASE("a change of an input comes with the word at which it was read", "[apps][parport]") {
+  Machine machine = on_port();
+  machine.parallel_port.probe_pin = 13;
+  PortRecord record;
+  auto player = open(machine, record);
+  hal::PortChange change;
+  CHECK_FALSE(player->next_change(change));
+  CHECK(player->play(words(48)) == Alarm::none);
+  player->rest();
+  runtime::sleep_until(runtime::now_ns() + 100'000'000);
+  record.status = 0x10;
+  for (int i = 0; i < 1000 && !player->next_change(change); ++i)
+    runtime::sleep_until(runtime::now_ns() + 1'000'000);
+  CHECK(change.inputs.probe);
+  CHECK(change.words == 48);
+  REQUIRE(player->finish());
+}
+
+TEST_CASE("after an alarm it begins again once the input is off", "[apps][parport]") {
+  PortRecord record;
+  auto player = open(on_port(), record);
+  CHECK(player->play(words(6'000)) == Alarm::none);
+  record.status = 0x20;
+  for (int i = 0; i < 1000 && player->alarm() == Alarm::none; ++i)
+    runtime::sleep_until(runtime::now_ns() + 1'000'000);
+  CHECK(player->trouble().code == Code::SC5033);
+  const Status still = player->recover();
+  REQUIRE_FALSE(still);
+  CHECK(still.error().code == Code::SC5033);
+  record.status = 0;
+  REQUIRE(player->recover());
+  CHECK(player->alarm() == Alarm::none);
+  const std::size_t before = data_of(record).size();
+  CHECK(player->play(words(48)) == Alarm::none);
+  REQUIRE(player->finish());
+  const auto data = data_of(record);
+  CHECK(data.size() - before >= 47);  // of 48, without what had waited
+  CHECK(data.size() - before <= 50);
+}
+
 TEST_CASE("nothing is enabled while an input is on", "[apps][parport]") {
   PortRecord record;
   record.status = 0x20;

@@ -584,6 +584,12 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(refused_machine(port + "y_direction_pin = -2")
               .starts_with("mill.toml:3:35: error: backend.parport.y_direction_pin = -2 is "
                            "the pin of backend.parport.x_step_pin [SC7071]\n"));
+    CHECK(refused_machine(port + "y_home_pin = 12\nbackend.parport.z_home_pin = 12")
+              .find("backend.parport.z_home_pin = 12 is the pin of backend.parport.y_home_pin") !=
+          std::string::npos);
+    CHECK(refused_machine(port + "probe_pin = 10\n")
+              .find("backend.parport.probe_pin = 10 is the pin of backend.parport.estop_pin") !=
+          std::string::npos);
     CHECK(refused_machine(port + "fault_pin = 10")
               .starts_with("mill.toml:3:29: error: backend.parport.fault_pin = 10 is the "
                            "pin of backend.parport.estop_pin [SC7071]\n"));

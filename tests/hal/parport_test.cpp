@@ -37,6 +37,11 @@ class PromptPlayer final : public PortPlayer {
     return alarm;
   }
   void rest() noexcept override {}
+  double ahead() const noexcept override { return 0; }
+  bool next_change(PortChange&) noexcept override { return false; }
+  Alarm alarm() const noexcept override { return Alarm::none; }
+  Diagnostic trouble() const override { return output_.diagnostic(Alarm::port); }
+  Status recover() override { return {}; }
   Status finish() override {
     output_.rest();
     return {};

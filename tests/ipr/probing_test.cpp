@@ -117,8 +117,53 @@ TEST_CASE("a machine that moves by a port without a probe refuses to probe",
   REQUIRE(read.diagnostics.size() == 1);
   CHECK(render(read.diagnostics[0])
             .starts_with(
-                "softcnc:1:1: error: G38.2 is refused: the backend hal-stream has no input for a "
-                "probe [SC2114]"));
+                "softcnc:1:1: error: G38.2 is refused: without an operator nothing reads a probe "
+                "on the backend hal-stream [SC2114]"));
+  InterpreterOptions options;
+  options.contacts = Contacts::expected;
+  CHECK(interpret("G38.2 Z-5 F100\nM2\n", machine, options).blocks.size() == 3);
+}
+
+TEST_CASE("an interpreter waits for what a machine finds", "[ipr][probing]") {
+  Machine machine;
+  Diagnostics diagnostics;
+  Reader reader = Reader::from_text(
+      "G92 Z4\nG38.2 Z-46 F120\nG0 Z[#5063 + #5070]\nG38.3 Z-60\nG0 X[#5070 + 3]\nG38.4 Z9\nG0 "
+      "X5\nM2\n");
+  Parser parser(reader, diagnostics);
+  InterpreterOptions options;
+  options.contacts = Contacts::read;
+  Interpreter interpreter(parser, machine, diagnostics, options);
+  const auto next = [&] {
+    const auto block = interpreter.next();
+    return block ? std::get_if<Action>(&block->what) != nullptr : false;
+  };
+  const auto asks = [&](double to) {
+    CHECK(next());
+    CHECK_FALSE(interpreter.next());
+    CHECK(interpreter.waiting());
+    REQUIRE(interpreter.probe() != nullptr);
+    CHECK(interpreter.probe()->to[2] == Approx(to));
+    CHECK(interpreter.probe()->feed == 2);
+  };
+  const auto moves_to = [&](const AxisVector& place) {
+    const auto block = interpreter.next();
+    REQUIRE(block);
+    CHECK(is_near_to(end(std::get<Move>(block->what).path), place));
+  };
+  asks(-50);  // machine coordinates
+  interpreter.probed({ProbeFound::found, {0, 0, -20}, {0, 0, -21}});
+  CHECK(interpreter.probe() == nullptr);
+  moves_to({0, 0, -19});
+  asks(-64);
+  interpreter.probed({ProbeFound::nothing, {}, {0, 0, -64}});
+  moves_to({3, 0, -64});
+  asks(5);
+  interpreter.probed({ProbeFound::already, {}, {0, 0, -64}});
+  REQUIRE(diagnostics.errors() == 1);
+  CHECK(render(diagnostics.all()[0]) ==
+        "softcnc:6:1: error: G38.4 begins without a contact already [SC2393]\n"
+        "    6 | G38.4 Z9\n      | ^~~~~\n");
 }
 
 TEST_CASE("the length of a tool moves its contacts", "[ipr][probing]") {

@@ -189,7 +189,9 @@ TEST_CASE("a hold of lines that are done holds nothing later", "[runtime][operat
   REQUIRE(desk.operated.line("G90\n"));
   REQUIRE(desk.operated.hold());
   desk.run(10);
-  static_cast<void>(desk.operated.resume());
+  REQUIRE(desk.operated.mode() == MachineMode::hold);
+  CHECK_FALSE(desk.operated.line("G01 X5 F600\n"));
+  REQUIRE(desk.operated.resume());
   REQUIRE(desk.operated.line("G01 X5 F600\n"));
   desk.settle();
   CHECK(desk.operated.position().x() == Approx(5));

@@ -309,3 +309,23 @@ TEST_CASE("a single block that is asked for in motion pauses where the machine r
   CHECK(pauses > 2);
   desk.check_limits();
 }
+
+TEST_CASE("what comes behind a rest that is planned changes nothing before it",
+          "[runtime][operator]") {
+  Machine machine = machine_to_operate(BackendKind::none, 0);
+  machine.attendance.tool_change = {0, -80, 60};
+  for (const double feed : {1000.0 / 60, 50.0})
+    for (const AxisVector& step : {AxisVector(-1, 0, 0), AxisVector(0, 10, 0)})
+      for (const int instant : {3, 20, 100}) {
+        Desk desk(machine);
+        CAPTURE(feed, step.transpose(), instant);
+        REQUIRE(desk.operated.line("G00 X19 Y0 Z0\n"));
+        desk.settle();
+        REQUIRE(desk.operated.start("G21 G90 G94\nT1 M06\nM30\n"));
+        desk.run(instant);
+        REQUIRE(desk.operated.jog({step, feed}));
+        desk.run(3000);
+        CHECK((desk.operated.position() - AxisVector(0, -80, 60) - step).norm() < 1e-9);
+        desk.check_limits();
+      }
+}

@@ -124,7 +124,9 @@ class Desk final : public runtime::RowSink {
           FAIL("row " << i << ", axis " << axis << ": " << v[axis] << " " << a[axis] << " "
                       << j[axis]);
       }
-      if (periods[i] != periods[i - 1] + 1) FAIL("period of row " << i);
+      if (periods[i] != periods[i - 1] + 1)
+        FAIL("period of row " << i << ": " << periods[i] << " after " << periods[i - 1] << ", rows "
+                              << periods.size());
     }
   }
 

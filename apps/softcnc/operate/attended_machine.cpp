@@ -93,6 +93,7 @@ runtime::ChannelOptions AttendedMachine::checking_options() const {
   runtime::ChannelOptions options = options_;
   options.state = control_->state();
   options.outputs = control_->outputs();
+  if (backend_->has_probe()) options.interpreter.contacts = ipr::Contacts::expected;
   return options;
 }
 

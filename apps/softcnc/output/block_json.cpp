@@ -23,8 +23,8 @@ std::string_view name(Plane plane) {
 }
 
 std::string_view name(Action::Kind kind) {
-  constexpr std::array<std::string_view, 6> names{"tool", "spindle", "coolant",
-                                                  "stop", "end",     "output"};
+  constexpr std::array<std::string_view, 7> names{"tool", "spindle", "coolant", "stop",
+                                                  "end",  "output",  "probe"};
   return names[static_cast<std::size_t>(kind)];
 }
 

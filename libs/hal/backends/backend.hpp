@@ -55,8 +55,20 @@ class Backend {
   /// The next setpoint says again where the machine stands, as the first one did.
   virtual void begin_again() noexcept {}
 
-  /// Returns whether the feedback tells of home switches.
+  /// Returns whether the feedback tells of home switches, and of a probe.
   virtual bool has_home_switches() const noexcept { return false; }
+  virtual bool has_probe() const noexcept { return false; }
+  /// Returns how late inputs may come, s: in so much later a feedback than that of the setpoint at
+  /// which the machine was. Feedback::switched and touched are where it was.
+  virtual double delay() const noexcept { return 0; }
+  /// From now on this tip may touch what the machine file states, where contacts are simulated.
+  virtual void touch_with(const ProbeTip& tip) { static_cast<void>(tip); }
+  /// Returns the inputs, and what is wrong, while nothing is exchanged.
+  virtual Feedback look() noexcept { return {}; }
+  /// Returns what an alarm has been about, unless it was one of an axis.
+  virtual std::optional<Diagnostic> trouble() const { return std::nullopt; }
+  /// After an alarm the machine is enabled again. Errors: what is still wrong.
+  virtual Status recover() { return {}; }
 
   /// Writes what is left. Call once after the last exchange; without it a backend that writes a
   /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of

@@ -19,6 +19,8 @@ class HomeSwitches {
 
   /// The axes have come through these places, mm, the last one of which is that of the feedback.
   void read(std::span<const AxisVector> places, Feedback& feedback) noexcept;
+  /// Returns what leads from the coordinates of the commands to those of the machine file, mm.
+  const AxisVector& offset() const noexcept { return offset_; }
   /// The next place is where the axes stand already, in other coordinates.
   void begin_again() noexcept { begins_again_ = true; }
 

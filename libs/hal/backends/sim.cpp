@@ -24,6 +24,7 @@ const Screw& simulated_screw(const Machine& machine, std::size_t axis) noexcept 
 SimulatedMill::SimulatedMill(const Machine& machine)
     : commands_(machine),
       switches_(machine),
+      touch_(machine),
       servo_period_(loop_period(machine.control)),
       servo_periods_(parts_of_period(machine.control, servo_period_)),
       error_max_(Backend::following_error_max()) {
@@ -65,6 +66,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
     feedback.alarm_axis = slide.axis;
   }
   switches_.read(actual(), feedback);
+  touch_.read(actual(), switches_.offset(), feedback);
   return feedback;
 }
 

@@ -11,6 +11,7 @@
 #include "hal/backends/lag_monitor.hpp"
 #include "hal/backends/lead_screw.hpp"
 #include "hal/backends/servo.hpp"
+#include "hal/backends/simulated_touch.hpp"
 #include "hal/signals/commands.hpp"
 #include "hal/signals/pulse_source.hpp"
 
@@ -30,6 +31,8 @@ class SimulatedMill final : public Backend {
     switches_.begin_again();
   }
   bool has_home_switches() const noexcept override { return true; }
+  bool has_probe() const noexcept override { return touch_.has_bodies(); }
+  void touch_with(const ProbeTip& tip) override { touch_.begin(tip); }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
   /// path, actual position (mm), path minus actual (um) and motor current (A).
@@ -67,6 +70,7 @@ class SimulatedMill final : public Backend {
   Commands commands_;
   std::vector<Slide> slides_;
   HomeSwitches switches_;  // of the tables
+  SimulatedTouch touch_;
   std::vector<std::string> columns_;
   double servo_period_;  // s: of the position loop
   int servo_periods_;    // in one period

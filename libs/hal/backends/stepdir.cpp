@@ -24,8 +24,10 @@ Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
 StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
     : commands_(machine),
       period_(ns_from_s(machine.control.period)),
+      timing_(timing),
       edges_(timing),
-      out_(std::move(out)) {
+      out_(std::move(out)),
+      inputs_(out_ ? out_->inputs() : nullptr) {
   for (int axis = 0; axis < kAxes; ++axis) {
     if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
     motors_.emplace_back(axis, machine);
@@ -40,11 +42,55 @@ Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
   if (!std::exchange(started_, true)) {
     begin(sent.position);
     if (out_) out_->switch_outputs(setpoint.outputs);
-    return {position(), Alarm::none, -1};
+  } else {
+    alarm_ = send(sent);
+    if (out_) out_->switch_outputs(setpoint.outputs);
   }
-  alarm_ = send(sent);
-  if (out_) out_->switch_outputs(setpoint.outputs);
-  return {position(), alarm_, -1};
+  Feedback feedback{position(), alarm_, -1};
+  read_inputs(feedback);
+  return feedback;
+}
+
+/// Changes come with the steps at which they were seen.
+void StepDir::read_inputs(Feedback& feedback) noexcept {
+  if (inputs_ == nullptr) return;
+  EdgeInputs::Change next;
+  AxisVector place = feedback.position;
+  while (inputs_->next_change(next)) {
+    for (const PulseSource& motor : motors_) {
+      const auto axis = static_cast<std::size_t>(motor.axis());
+      place[motor.axis()] =
+          motor.position_of(next.counts[axis] + offset_[axis]) - commands_.added(motor.axis());
+      if (next.home[axis] != seen_.home[axis])
+        feedback.switched[motor.axis()] = place[motor.axis()];
+    }
+    if (next.probe != seen_.probe) feedback.touched = place;
+    seen_ = next;
+  }
+  feedback.home = seen_.home;
+  feedback.probe = seen_.probe;
+  feedback.door = seen_.door;
+}
+
+Feedback StepDir::look() noexcept {
+  Feedback feedback{position(), inputs_ ? inputs_->alarm() : Alarm::none, -1};
+  read_inputs(feedback);
+  return feedback;
+}
+
+std::optional<Diagnostic> StepDir::trouble() const {
+  if (inputs_ == nullptr || inputs_->alarm() == Alarm::none) return std::nullopt;
+  return inputs_->trouble();
+}
+
+/// Lines are low again, and what waited for them is gone.
+Status StepDir::recover() {
+  if (inputs_ == nullptr || inputs_->alarm() == Alarm::none) return {};
+  if (Status recovered = inputs_->recover(); !recovered) return recovered;
+  edges_ = StepEdges(timing_);
+  alarm_ = Alarm::none;
+  started_ = false;
+  return {};
 }
 
 /// Makes the pulses of a period.
@@ -61,7 +107,11 @@ Alarm StepDir::send(const Setpoint& sent) {
 
 /// The counts begin where the machine stands, without pulses.
 void StepDir::begin(const AxisVector& position) {
-  for (PulseSource& motor : motors_) motor.begin(position[motor.axis()]);
+  for (PulseSource& motor : motors_) {
+    motor.begin(position[motor.axis()]);
+    const auto axis = static_cast<std::size_t>(motor.axis());
+    if (inputs_) offset_[axis] = motor.counts() - inputs_->counts()[axis];
+  }
 }
 
 /// What has been sent, or waits to be, less what makes up for the screws; an axis the machine lacks

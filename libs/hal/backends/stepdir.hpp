@@ -14,8 +14,8 @@
 namespace softcnc::hal {
 
 /// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
-/// as the driver allows, into a file or to a port. There is no feedback: the axes are taken to be
-/// where they have been sent.
+/// as the driver allows, into a file or to a port. The axes are taken to be where they have been
+/// sent; a port may have inputs.
 class StepDir final : public Backend {
  public:
   /// Opens a backend that writes to a file. With an empty name, pulses are counted and not kept.
@@ -34,12 +34,19 @@ class StepDir final : public Backend {
   AxisVector settle() const noexcept override { return position(); }
   AxisVector command_velocity_max() const noexcept override { return commands_.velocity_max(); }
   void rest(const Setpoint& at) noexcept override;
+  bool has_home_switches() const noexcept override { return inputs_ && inputs_->has_homes(); }
+  bool has_probe() const noexcept override { return inputs_ && inputs_->has_probe(); }
+  double delay() const noexcept override { return inputs_ ? inputs_->delay() : 0; }
+  Feedback look() noexcept override;
+  std::optional<Diagnostic> trouble() const override;
+  Status recover() override;
   Status finish() override;
 
  private:
   void begin(const AxisVector& position);
   Alarm send(const Setpoint& sent);
   void release();
+  void read_inputs(Feedback& feedback) noexcept;
   AxisVector position() const noexcept;
 
   Commands commands_;
@@ -50,8 +57,12 @@ class StepDir final : public Backend {
   bool started_ = false;
   Alarm alarm_ = Alarm::none;             // of the last exchange
   AxisVector last_ = AxisVector::Zero();  // mm, of the path
+  StepTiming timing_;
   StepEdges edges_;
   std::unique_ptr<EdgeSink> out_;
+  EdgeInputs* inputs_;           // of that; may be null
+  EdgeInputs::Change seen_;      // the last one
+  EdgeInputs::Counts offset_{};  // from its steps to the counts of the axes
 };
 
 }  // namespace softcnc::hal

@@ -100,6 +100,8 @@ template <std::size_t axis>
 constexpr auto step_pin = axis_pin<&ParallelPort::step_pin, axis>;
 template <std::size_t axis>
 constexpr auto direction_pin = axis_pin<&ParallelPort::direction_pin, axis>;
+template <std::size_t axis>
+constexpr auto home_pin = axis_pin<&ParallelPort::home_pin, axis>;
 template <auto Member>
 constexpr auto step_port = in_part<&Machine::step_port, Member>;
 
@@ -261,6 +263,14 @@ const MachineKey kMachineKeys[] = {
      WholeKey{port<&ParallelPort::limit_pin>, kPinRange}},
     {"backend.parport.fault_pin", "", "input of the drives' fault line, likewise",
      WholeKey{port<&ParallelPort::fault_pin>, kPinRange}},
+    {"backend.parport.x_home_pin", "", "input of the home switch, high is closed; axes may share one, if they are homed one after the other",
+     WholeKey{home_pin<0>, kPinRange}},
+    {"backend.parport.y_home_pin", "", "the same for Y", WholeKey{home_pin<1>, kPinRange}},
+    {"backend.parport.z_home_pin", "", "the same for Z", WholeKey{home_pin<2>, kPinRange}},
+    {"backend.parport.probe_pin", "", "input of the probe, high is a contact, likewise numbered",
+     WholeKey{port<&ParallelPort::probe_pin>, kPinRange}},
+    {"backend.parport.door_pin", "", "input of the door, high is open, likewise numbered",
+     WholeKey{port<&ParallelPort::door_pin>, kPinRange}},
 
     {"backend.parport.spindle_pin", "", "output, high while the spindle turns, numbered as enable_pin",
      WholeKey{port<&ParallelPort::spindle_pin>, kPinRange}},

@@ -98,6 +98,7 @@ class MachineLoader {
   using Keys = std::initializer_list<std::string>;
   const GivenAt& place_of(Keys keys) const;
   void fail(Code code, const GivenAt& place, std::string message);
+  void check_home_pin(int index);
   void clash(Code code, Keys keys, std::string message);
 
   LoadedMachine loaded_;

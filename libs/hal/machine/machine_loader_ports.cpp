@@ -135,6 +135,9 @@ void MachineLoader::check_parallel_port() {
   check_pin("estop_pin", port.estop_pin, is_input_pin);
   check_pin("limit_pin", port.limit_pin, is_input_pin);
   check_pin("fault_pin", port.fault_pin, is_input_pin);
+  check_pin("probe_pin", port.probe_pin, is_input_pin);
+  check_pin("door_pin", port.door_pin, is_input_pin);
+  for (int axis = 0; axis < kAxes; ++axis) check_home_pin(axis);
   check_pin("spindle_pin", port.spindle_pin, is_output_pin);
   check_pin("spindle_ccw_pin", port.spindle_ccw_pin, is_output_pin);
   check_pin("spindle_pwm_pin", port.spindle_pwm_pin, is_output_pin);
@@ -160,6 +163,19 @@ void MachineLoader::check_port_rate(int index) {
          "control.backend", "backend.stepdir.step_length_ns", "backend.stepdir.step_space_ns"},
         too_fast(name + ".velocity_mm_min", axis.velocity,
                  blu_text(index, axis.blu) + port_rate_text(loaded_.machine), most));
+}
+
+/// Axes that search one after the other may share a pin.
+void MachineLoader::check_home_pin(int index) {
+  const auto& axes = loaded_.machine.axes;
+  const auto& pins = loaded_.machine.parallel_port.home_pin;
+  const auto i = static_cast<std::size_t>(index);
+  if (!axes[i].present) return;
+  for (std::size_t before = 0; before < i; ++before)
+    if (axes[before].present && pins[before] != 0 && pins[before] == pins[i] &&
+        axes[before].home.order != axes[i].home.order)
+      return;
+  check_pin(axis_name(index) + "_home_pin", pins[i], is_input_pin);
 }
 
 void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)) {

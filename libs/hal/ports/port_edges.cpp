@@ -5,13 +5,57 @@
 #include <utility>
 
 namespace softcnc::hal {
+namespace {
+
+/// Every axis that can be homed has an input for its switch.
+bool has_home_pins(const Machine& machine) noexcept {
+  for (std::size_t i = 0; i < machine.axes.size(); ++i)
+    if (has_home_switch(machine.axes[i]) && machine.parallel_port.home_pin[i] == 0) return false;
+  return true;
+}
+
+/// As many as may wait, and those of some periods more.
+std::size_t words_to_keep(const Machine& machine, double ahead) noexcept {
+  constexpr double kPeriods = 8;
+  constexpr std::size_t kAtLeast = 64;
+  const double time = ahead + kPeriods * machine.control.period;
+  return static_cast<std::size_t>(time / machine.parallel_port.base_period) + kAtLeast;
+}
+
+}  // namespace
 
 PortEdges::PortEdges(const Machine& machine, std::unique_ptr<PortPlayer> player)
     : pins_(machine),
       base_(port_timing(machine).base),
       hold_(port_timing(machine).rules.hold),
       word_(pins_.enabled()),
-      player_(std::move(player)) {}
+      player_(std::move(player)),
+      places_(words_to_keep(machine, player_->ahead())),
+      period_(machine.control.period),
+      has_homes_(has_home_pins(machine)),
+      has_probe_(machine.parallel_port.probe_pin != 0) {}
+
+/// What waits is played first; the next row may still be at its beginning.
+double PortEdges::delay() const noexcept {
+  constexpr double kPeriods = 4;
+  return player_->ahead() + kPeriods * period_;
+}
+
+bool PortEdges::next_change(Change& change) noexcept {
+  PortChange next;
+  if (!player_->next_change(next)) return false;
+  change = {next.inputs.home, next.inputs.probe, next.inputs.door, places_.after(next.words)};
+  return true;
+}
+
+Status PortEdges::recover() {
+  if (alarm() == Alarm::none) return {};
+  if (Status recovered = player_->recover(); !recovered) return recovered;
+  waiting_.clear();
+  word_ = pins_.enabled();
+  places_.begin_again();
+  return {};
+}
 
 Alarm PortEdges::take(std::span<const SignalEdge> edges, std::int64_t until) noexcept {
   waiting_.insert(waiting_.end(), edges.begin(), edges.end());
@@ -35,11 +79,16 @@ void PortEdges::play_tick() noexcept {
   const auto later = std::find_if(waiting_.begin(), waiting_.end(), [this](const SignalEdge& edge) {
     return edge.time > tick_ * base_;
   });
-  for (auto edge = waiting_.begin(); edge != later; ++edge)
-    pins_.set(word_, edge->axis, edge->wire, edge->high);
+  for (auto edge = waiting_.begin(); edge != later; ++edge) set(*edge);
   waiting_.erase(waiting_.begin(), later);
   words_.push_back(word_);
+  places_.end_word();
   ++tick_;
+}
+
+void PortEdges::set(const SignalEdge& edge) noexcept {
+  pins_.set(word_, edge.axis, edge.wire, edge.high);
+  places_.add(edge);
 }
 
 }  // namespace softcnc::hal

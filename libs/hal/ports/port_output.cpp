@@ -25,7 +25,9 @@ Alarm PortOutput::write_again() noexcept {
 Alarm PortOutput::look() noexcept {
   if (!pins_.looks()) return Alarm::none;
   const auto status = registers_->read_status();
-  return status ? pins_.alarm(*status) : Alarm::port;
+  if (!status) return Alarm::port;
+  inputs_ = pins_.inputs(*status);
+  return pins_.alarm(*status);
 }
 
 /// The drives first.

@@ -24,8 +24,9 @@ class PortOutput {
   /// The same with the last word once more: charge pump and the signal of the spindle go on.
   Alarm write_again() noexcept;
 
-  /// Reads the inputs, if any are used. Realtime.
+  /// Reads the inputs, if any are used: what they stop, and what inputs() then returns. Realtime.
   Alarm look() noexcept;
+  const PortInputs& inputs() const noexcept { return inputs_; }
 
   /// Sets steps low and disables the drives, whatever was written before. Safe in signal handlers.
   void rest() noexcept;
@@ -37,6 +38,7 @@ class PortOutput {
   std::unique_ptr<PortRegisters> registers_;
   PortPins pins_;
   std::string device_;
+  PortInputs inputs_;
   PortWord word_;                 // as it was given
   std::int64_t tick_ = 0;         // the next base period
   std::optional<PortWord> last_;  // as it was written

@@ -80,6 +80,10 @@ PortPins::PortPins(const Machine& machine)
   estop_ = input_of(port.estop_pin);
   limit_ = input_of(port.limit_pin);
   fault_ = input_of(port.fault_pin);
+  probe_ = input_of(port.probe_pin);
+  door_ = input_of(port.door_pin);
+  for (std::size_t i = 0; i < homes_.size(); ++i)
+    if (machine.axes[i].present) homes_[i] = input_of(port.home_pin[i]);
   spindle_ = line_of(port.spindle_pin);
   spindle_ccw_ = line_of(port.spindle_ccw_pin);
   spindle_pwm_ = line_of(port.spindle_pwm_pin);
@@ -130,15 +134,22 @@ void PortPins::put(PortWord& word, const Line& line, bool high) noexcept {
   word.control = with(word.control, line.bit.control, level(line.bit.control, line.high.control));
 }
 
-bool PortPins::looks() const noexcept { return (estop_.bit | limit_.bit | fault_.bit) != 0; }
+bool PortPins::looks() const noexcept {
+  const bool is_homed =
+      std::any_of(homes_.begin(), homes_.end(), [](const Input& home) { return home.bit != 0; });
+  return is_homed || (estop_.bit | limit_.bit | fault_.bit | probe_.bit | door_.bit) != 0;
+}
+
+PortInputs PortPins::inputs(std::uint8_t status) const noexcept {
+  PortInputs inputs{{}, is_high(probe_, status), is_high(door_, status)};
+  for (std::size_t i = 0; i < homes_.size(); ++i) inputs.home[i] = is_high(homes_[i], status);
+  return inputs;
+}
 
 Alarm PortPins::alarm(std::uint8_t status) const noexcept {
-  const auto is_high = [&](const Input& input) {
-    return input.bit != 0 && (status & input.bit) == input.high;
-  };
-  if (is_high(estop_)) return Alarm::emergency_stop;
-  if (is_high(fault_)) return Alarm::driver_fault;
-  if (is_high(limit_)) return Alarm::limit_switch;
+  if (is_high(estop_, status)) return Alarm::emergency_stop;
+  if (is_high(fault_, status)) return Alarm::driver_fault;
+  if (is_high(limit_, status)) return Alarm::limit_switch;
   return Alarm::none;
 }
 

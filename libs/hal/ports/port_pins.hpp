@@ -22,6 +22,14 @@ struct PortWord {
   bool operator==(const PortWord&) const = default;
 };
 
+/// What the inputs say that do not stop the port.
+struct PortInputs {
+  std::array<bool, kAxes> home{};  // closed
+  bool probe = false;              // touches
+  bool door = false;               // open
+  bool operator==(const PortInputs&) const = default;
+};
+
 bool is_data_pin(int pin);
 bool is_output_pin(int pin);
 bool is_input_pin(int pin);
@@ -46,6 +54,7 @@ class PortPins {
   bool looks() const noexcept;
   /// Returns what the status register means. Realtime.
   Alarm alarm(std::uint8_t status) const noexcept;
+  PortInputs inputs(std::uint8_t status) const noexcept;
 
  private:
   /// A bit, and how it stands for high; no bit: no pin.
@@ -59,6 +68,9 @@ class PortPins {
 
   static Line line_of(int pin);
   static Input input_of(int pin);
+  static bool is_high(const Input& input, std::uint8_t status) noexcept {
+    return input.bit != 0 && (status & input.bit) == input.high;
+  }
   static void put(PortWord& word, const Line& line, bool high) noexcept;
 
   std::array<std::array<Line, 2>, kAxes> lines_{};  // by axis and wire
@@ -70,7 +82,8 @@ class PortPins {
   std::vector<Output> outputs_;  // that programs set by number or name
   double max_rpm_;
   int pwm_levels_;
-  Input estop_, limit_, fault_;
+  Input estop_, limit_, fault_, probe_, door_;
+  std::array<Input, kAxes> homes_;
   PortWord rest_;
 };
 

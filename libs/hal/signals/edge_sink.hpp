@@ -2,6 +2,7 @@
 // The destination of the edges of step and direction lines: a file, or a port.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +11,34 @@
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::hal {
+
+/// What a sink has read from the machine.
+class EdgeInputs {
+ public:
+  using Counts = std::array<std::int64_t, kAxes>;  // steps of each axis, from the first edge on
+
+  struct Change {
+    std::array<bool, kAxes> home{};  // closed
+    bool probe = false;              // touches
+    bool door = false;               // open
+    Counts counts{};                 // where the axes were
+  };
+
+  virtual ~EdgeInputs() = default;
+  virtual bool has_homes() const noexcept = 0;
+  virtual bool has_probe() const noexcept = 0;
+  /// Returns how late a change may come, s.
+  virtual double delay() const noexcept = 0;
+  /// Takes the next change; false where there is none.
+  virtual bool next_change(Change& change) noexcept = 0;
+  /// Returns the steps of all edges so far.
+  virtual const Counts& counts() const noexcept = 0;
+  /// What is wrong now; what that has been about; and the end of it.
+  virtual Alarm alarm() const noexcept = 0;
+  virtual Diagnostic trouble() const = 0;
+  /// After an alarm edges are taken again, from lines that are low. Errors: what is still wrong.
+  virtual Status recover() = 0;
+};
 
 class EdgeSink {
  public:
@@ -24,6 +53,9 @@ class EdgeSink {
 
   /// Is called where the machine is at rest and more edges may take long.
   virtual void rest() noexcept {}
+
+  /// Returns what it reads; null: nothing.
+  virtual EdgeInputs* inputs() noexcept { return nullptr; }
 
   /// Ends the edges. To be called once, after the last one.
   virtual Status finish() = 0;

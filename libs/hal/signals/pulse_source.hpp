@@ -41,7 +41,8 @@ class PulseSource {
 
   int axis() const noexcept { return axis_; }
   std::int64_t counts() const noexcept { return counts_; }
-  double position() const noexcept { return Counts(blu_).position(counts_); }  // mm
+  double position() const noexcept { return position_of(counts_); }  // mm
+  double position_of(std::int64_t counts) const noexcept { return Counts(blu_).position(counts); }
 
  private:
   template <typename Visit>

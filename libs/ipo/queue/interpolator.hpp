@@ -61,6 +61,10 @@ class Interpolator {
   /// their own way rest at their last setpoint. It is valid until the next step. Planning side.
   Setpoint rest_at(int number) noexcept;
 
+  /// Passes all up to the block `number`, behind which another has moved the machine to `place`,
+  /// mm.
+  void stand_at(int number, const AxisVector& place) noexcept;
+
   /// Makes no setpoint any more: the last one rests at the end of the queue.
   void end() noexcept { done_ = true; }
 

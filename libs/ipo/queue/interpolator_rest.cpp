@@ -42,4 +42,13 @@ Setpoint Interpolator::rest_at(int number) noexcept {
   return at;
 }
 
+void Interpolator::stand_at(int number, const AxisVector& place) noexcept {
+  const auto is_passed = [number](const Block& block) {
+    return block.number < number ||
+           (block.number == number && std::holds_alternative<Action>(block.what));
+  };
+  while (!queue_.empty() && is_passed(queue_.front().block)) leave_block();
+  last_.position = lagging_.position = place;
+}
+
 }  // namespace softcnc::ipo

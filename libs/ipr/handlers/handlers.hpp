@@ -115,6 +115,12 @@ void restore_modes(Task& task);
 
 // probing.cpp
 void probe(Task& task);
+struct ProbeRefusal {
+  Code code;
+  std::string message;
+};
+/// Returns why this cannot be what a probing code has found; nothing if it may be.
+std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found);
 /// Reports a straight move that leads a probe into a body of the machine file: SC2395.
 void warn_of_contact(Task& task, const Path& path);
 

@@ -11,12 +11,12 @@ namespace softcnc::ipr {
 namespace {
 
 /// What a code does: G38.2 and G38.4 must come to a contact or a release.
-struct Probing {
+struct ProbingCode {
   ProbeAim aim;
   bool must;
 };
 
-Probing probing_of(const GCode& code) noexcept {
+ProbingCode probing_of(const GCode& code) noexcept {
   const bool releases = code.number == kG384 || code.number == kG385;
   return {releases ? ProbeAim::release : ProbeAim::contact,
           code.number == kG382 || code.number == kG384};
@@ -61,15 +61,30 @@ void end_probing(Task& task, const AxisVector& end, bool contact) {
   task.modal.probed = ProbedPoint{end, contact};
 }
 
-void report_missed(Task& task, const Probing& probing) {
-  const bool releases = probing.aim == ProbeAim::release;
-  task.out.report(Code::SC2394, task.word.pos,
-                  code_name(task.code) + (releases ? " comes to its end and still touches"
-                                                   : " comes to its end without a contact"));
+std::string missed(const GCode& code) {
+  const bool releases = probing_of(code).aim == ProbeAim::release;
+  return code_name(code) +
+         (releases ? " comes to its end and still touches" : " comes to its end without a contact");
+}
+
+std::string is_so_already(const GCode& code) {
+  const bool releases = probing_of(code).aim == ProbeAim::release;
+  return code_name(code) +
+         (releases ? " begins without a contact" : " begins where the tool touches") + " already";
+}
+
+/// The machine will find out.
+void wait_for_contact(Task& task, const AxisVector& to) {
+  task.out.emit(Action{Action::Kind::probe, 0, 0});
+  task.modal.awaited = AwaitedProbe{
+      {to, task.modal.feed, probing_of(task.code).aim, tip_of(task), task.out.source()},
+      &task.code,
+      task.word.pos,
+      std::string(task.out.text())};
 }
 
 void probe_to(Task& task, const AxisVector& to) {
-  const Probing probing = probing_of(task.code);
+  const ProbingCode probing = probing_of(task.code);
   if (task.machine.contacts.empty()) {
     task.out.report_once(Code::SC2392, task.word.pos, "probe",
                          code_name(task.code) +
@@ -82,16 +97,12 @@ void probe_to(Task& task, const AxisVector& to) {
   const AxisVector& from = task.modal.position;
   const bool touches_now = touches(bodies, tip, from);
   if (touches_now == (probing.aim == ProbeAim::contact)) {
-    return task.out.report(
-        Code::SC2393, task.word.pos,
-        code_name(task.code) +
-            (touches_now ? " begins where the tool touches" : " begins without a contact") +
-            " already");
+    return task.out.report(Code::SC2393, task.word.pos, is_so_already(task.code));
   }
   const softcnc::Line line(from, to);
   if (const auto s = contact_along(line, bodies, tip, probing.aim))
     return end_probing(task, line.position(*s), true);
-  if (probing.must) return report_missed(task, probing);
+  if (probing.must) return task.out.report(Code::SC2394, task.word.pos, missed(task.code));
   end_probing(task, to, false);
 }
 
@@ -110,12 +121,22 @@ void warn_of_contact(Task& task, const Path& path) {
   }
 }
 
+std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found) {
+  if (found == ProbeFound::already) return ProbeRefusal{Code::SC2393, is_so_already(code)};
+  if (found == ProbeFound::nothing && probing_of(code).must)
+    return ProbeRefusal{Code::SC2394, missed(code)};
+  return std::nullopt;
+}
+
 void probe(Task& task) {
   if (task.code.group == Group::motion) begin_motion(task);
-  if (const BackendKind backend = task.machine.control.backend; moves_machine(backend)) {
+  const BackendKind backend = task.machine.control.backend;
+  if (moves_machine(backend) && task.options.contacts == Contacts::stated) {
     return task.out.report(Code::SC2114, task.word.pos,
-                           code_name(task.code) + " is refused: the backend " +
-                               std::string(name(backend)) + " has no input for a probe");
+                           code_name(task.code) +
+                               " is refused: without an operator nothing reads "
+                               "a probe on the backend " +
+                               std::string(name(backend)));
   }
   if (!task.values.letters().has_any(kAxisWords)) {
     return task.out.report(Code::SC2005, task.word.pos,
@@ -127,6 +148,7 @@ void probe(Task& task) {
     return task.out.report(Code::SC2391, task.word.pos,
                            code_name(task.code) + " ends where it begins: it can find no contact");
   }
+  if (task.options.contacts == Contacts::read) return wait_for_contact(task, to);
   probe_to(task, to);
 }
 

@@ -113,7 +113,7 @@ void Interpreter::begin_with(const Memory& memory) {
 }
 
 void Interpreter::remember() {
-  if (!options_.remembers || diagnostics_.errors() > 0) return;
+  if (!options_.remembers || diagnostics_.errors() > 0 || modal_.awaited) return;
   const bool is_known = parser_.line() > 0 || commands_;
   memory_ = {modal_, parser_.parameters(), options_.dialect,
              is_known && !commands_ ? Format::gcode : options_.format};
@@ -195,7 +195,7 @@ bool Interpreter::read_on() {
   for (;;) {
     if (out_.has_block()) return true;
     remember();  // only now: what is made of the blocks before may be refused
-    if (modal_.ended) return false;
+    if (modal_.ended || modal_.awaited) return false;
     if (next_)
       interpret(*std::exchange(next_, std::nullopt));
     else if (const auto line = flow_.next(); line && !emit_restored(*line))
@@ -411,6 +411,19 @@ void Interpreter::keep_probed_point() {
   const ProbedPoint probed = *std::exchange(modal_.probed, std::nullopt);
   const AxisVector place = modal_.coordinates.to_program(probed.place) / modal_.mm_per_unit;
   parser_.parameters().keep_probed_point({place[0], place[1], place[2]}, probed.contact);
+}
+
+void Interpreter::probed(const ProbeAnswer& answer) {
+  const AwaitedProbe awaited = *std::exchange(modal_.awaited, std::nullopt);
+  modal_.position = answer.rest;
+  if (auto refused = refusal_of(*awaited.code, answer.found)) {
+    diagnostics_.report(refused->code, awaited.word, std::move(refused->message), awaited.line);
+    return;
+  }
+  const bool contact = answer.found == ProbeFound::found;
+  modal_.probed = ProbedPoint{contact ? answer.place : answer.rest, contact};
+  keep_probed_point();
+  remember();
 }
 
 /// What M66 has read is in #5399 of the linuxcnc dialect; fanuc has no such variable.

@@ -54,8 +54,17 @@ class Interpreter {
   const std::set<std::string>& missing_files() const noexcept { return flow_.missing_files(); }
 
   /// Returns whether next() has returned nothing because a pipe has nothing more yet, so that it
-  /// may be called again when there is more; or because a stop has been requested.
-  bool waiting() const noexcept { return parser_.waiting(); }
+  /// may be called again when there is more; because a probing move waits for its answer; or
+  /// because a stop has been requested.
+  bool waiting() const noexcept { return parser_.waiting() || modal_.awaited; }
+  /// Returns the probing move that waits for an answer; null: none. All blocks before it have been
+  /// returned.
+  const ProbeRequest* probe() const noexcept {
+    return modal_.awaited && !out_.has_block() ? &modal_.awaited->request : nullptr;
+  }
+  /// Takes what the machine has found; lines that follow begin where it rests. A move that had to
+  /// find something and has not is an error of its line: SC2393, SC2394.
+  void probed(const ProbeAnswer& answer);
 
   /// Returns offsets, tools and parameters as the lines read so far leave them; at the end, what is
   /// to be kept.

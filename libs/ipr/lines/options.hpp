@@ -26,6 +26,10 @@ constexpr std::string_view name(Format format) noexcept {
 
 struct Memory;
 
+/// Where the contacts of probing moves come from: the machine file; the same, though the machine
+/// will read them; the machine, which is waited for.
+enum class Contacts : std::uint8_t { stated, expected, read };
+
 /// The choices of a user about the reading of a program.
 struct InterpreterOptions {
   bool block_skip = false;     // leave out lines that begin with '/'
@@ -40,7 +44,8 @@ struct InterpreterOptions {
   std::vector<Definition> definitions = {};          // of variables, before the first line
   CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
   std::stop_token stop = {};      // to read no further: waiting() then
-  bool remembers = false;         // Interpreter::memory() is asked for
+  Contacts contacts = Contacts::stated;
+  bool remembers = false;  // Interpreter::memory() is asked for
   /// What earlier lines have left, in place of the initial modes; it counts while the interpreter
   /// is made, and begins at its own place.
   const Memory* memory = nullptr;

@@ -16,6 +16,7 @@
 #include "ipr/text/letter_set.hpp"
 #include "motion/geometry/nurbs.hpp"
 #include "motion/geometry/spline.hpp"
+#include "motion/model/contact.hpp"
 #include "motion/model/machine_state.hpp"
 
 namespace softcnc::ipr {
@@ -105,6 +106,14 @@ struct ProbedPoint {
   bool contact;
 };
 
+/// A probing move that waits for what the machine finds.
+struct AwaitedProbe {
+  ProbeRequest request;
+  const GCode* code = nullptr;
+  SourcePos word;    // its code
+  std::string line;  // its text
+};
+
 /// The modes that M70 or M73 has saved.
 struct SavedModes {
   Modes modes;
@@ -149,6 +158,7 @@ struct Modal : Modes {
 
   SimulatedInputs inputs;
   std::optional<ProbedPoint> probed;  // by this line, for #5061 to #5070
+  std::optional<AwaitedProbe> awaited;
   std::optional<double> input_value;  // that M66 of this line has read, for #5399
 
   Unknown unknown;  // what errors have left open

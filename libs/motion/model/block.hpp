@@ -51,12 +51,13 @@ struct Dwell {
 
 /// Something that happens at rest, between moves.
 struct Action {
-  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end, output };
+  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end, output, probe };
   Kind kind;
   int code = 0;       // the number of its M code (M03: 3; S alone: 0)
   double value = 0;   // tool number; spindle speed in rpm, signed (positive: M03, clockwise); of an
                       // output; coolant by an M code of the machine: the code that it stands for
   OutputPort port{};  // of an output
+  // A probe stands where the path waits for what a probing move finds, on machines that read one.
 };
 
 struct Block {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a probe touches in simulation.
+// Probing moves: what is to be found, and what a probe touches in simulation.
 #pragma once
 
 #include <optional>
 #include <span>
 
 #include "motion/core/axes.hpp"
+#include "motion/core/diagnostic.hpp"
 #include "motion/geometry/path.hpp"
 
 namespace softcnc {
@@ -35,6 +36,27 @@ bool touches(std::span<const ContactBody> bodies, const ProbeTip& tip,
 enum class ProbeAim : std::uint8_t {
   contact,  // G38.2, G38.3, G31: up to where the tip begins to touch
   release,  // G38.4, G38.5: up to where it touches nothing any more
+};
+
+/// A probing move that waits for what the machine finds: a straight line from where that rests.
+struct ProbeRequest {
+  AxisVector to = AxisVector::Zero();  // mm, machine coordinates
+  double feed = 0;                     // mm/s
+  ProbeAim aim = ProbeAim::contact;
+  ProbeTip tip{};    // in the spindle
+  SourcePos source;  // of the line
+};
+
+enum class ProbeFound : std::uint8_t {
+  found,
+  nothing,  // up to the end of the move
+  already,  // where the move begins: nothing has moved
+};
+
+struct ProbeAnswer {
+  ProbeFound found = ProbeFound::nothing;
+  AxisVector place = AxisVector::Zero();  // mm, machine coordinates: of the contact or release
+  AxisVector rest = AxisVector::Zero();   // mm: where the machine rests now
 };
 
 /// Returns how far along a line, mm, the control point is where that happens; nothing if it does

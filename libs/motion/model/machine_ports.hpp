@@ -30,10 +30,13 @@ struct ParallelPort {
   int estop_pin = 10;       // in: high is pressed, so that a broken wire stops the machine, too
   int limit_pin = 0;        // in: high is an axis at the end of its travel
   int fault_pin = 0;        // in: high is a drive that has switched itself off
-  int spindle_pin = 0;      // out: high while the spindle turns
-  int spindle_ccw_pin = 0;  // out: high while it turns counterclockwise
-  int spindle_pwm_pin = 0;  // out: high for the part of the time that S is of spindle.max_rpm,
-  int spindle_pwm_levels = 100;     // in cycles of so many base periods
+  std::array<int, kAxes> home_pin{};  // in: high is a home switch that is closed
+  int probe_pin = 0;                  // in: high is a probe that touches
+  int door_pin = 0;                   // in: high is an open door
+  int spindle_pin = 0;                // out: high while the spindle turns
+  int spindle_ccw_pin = 0;            // out: high while it turns counterclockwise
+  int spindle_pwm_pin = 0;       // out: high for the part of the time that S is of spindle.max_rpm,
+  int spindle_pwm_levels = 100;  // in cycles of so many base periods
   int mist_pin = 0, flood_pin = 0;  // out: high while on
 };
 

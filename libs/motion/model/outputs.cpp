@@ -40,6 +40,7 @@ void Outputs::pass(const Block& block) noexcept {
       return switch_digital(*this, *action);
     case Action::Kind::tool:
     case Action::Kind::stop:
+    case Action::Kind::probe:
       return;
   }
 }

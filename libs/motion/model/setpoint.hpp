@@ -88,6 +88,9 @@ struct Feedback {
   /// and where the axis was in this period when that changed last, mm; else its position. As fine
   /// as the backend reads its switches.
   AxisVector switched = position;
+  bool probe = false;             // whether the probe touches,
+  AxisVector touched = position;  // mm: and the same for it
+  bool door = false;              // whether it is open
 };
 
 }  // namespace softcnc

@@ -224,6 +224,8 @@ void ProgramWriter::write(const Action& action) {
     case Kind::stop:
     case Kind::end:
       return add(fmt::format("M{:02}", code));
+    case Kind::probe:  // of a machine that reads one: programs are converted without it
+      return;
   }
 }
 

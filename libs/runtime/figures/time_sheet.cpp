@@ -24,6 +24,7 @@ std::optional<RestCause> cause_of(const Block& block) {
     case Action::Kind::output:
       return RestCause::output;
     case Action::Kind::end:
+    case Action::Kind::probe:
       return std::nullopt;
   }
   return std::nullopt;

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "hal/files/number.hpp"
+#include "runtime/operator/settling_time.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-constexpr double kSettlingTimes = 6;  // time constants of the position loop: to a part in 400
-constexpr double kLongestPause = 2;   // s
-constexpr double kNothing = 1e-6;     // mm: of a range that is used up
+constexpr double kNothing = 1e-6;  // mm: of a range that is used up
 
 double latch_speed(const Machine& machine, const Axis& axis) noexcept {
   return axis.home.latch > 0 ? axis.home.latch : axis.blu / machine.control.period;
@@ -23,7 +22,7 @@ std::string mm(double length) { return hal::number_text(std::round(length * 1e3)
 
 }  // namespace
 
-Homing::Homing(const Machine& machine) : machine_(machine) {}
+Homing::Homing(const Machine& machine, double delay) : machine_(machine), delay_(delay) {}
 
 bool Homing::is_possible(const Machine& machine) noexcept {
   return std::any_of(machine.axes.begin(), machine.axes.end(), has_home_switch);
@@ -37,6 +36,7 @@ bool Homing::finds_all() const noexcept {
 // From leg to leg ---------------------------------------------------------------------------------
 
 std::optional<Homing::Leg> Homing::next(const AxisVector& place) {
+  if (delay_ > 0 && !std::exchange(waited_, true)) return Leg{place, 0, delay_};
   count_range(place);
   place_ = place;
   while (!failure_) {
@@ -102,13 +102,11 @@ bool Homing::all_found() const noexcept {
   return std::all_of(group_.begin(), group_.end(), [](const Seeker& s) { return s.found; });
 }
 
-/// How long the slowest drive of the group takes to come to rest behind its command, s.
-double Homing::settling_time() const noexcept {
+/// How long it takes until the tables of the group rest, and their switches have been read, s.
+double Homing::pause() const noexcept {
   double time = 0;
-  for (const Seeker& seeker : group_) {
-    time = std::max(time, std::min(kSettlingTimes / seeker.of->drive.kv, kLongestPause));
-  }
-  return time;
+  for (const Seeker& seeker : group_) time = std::max(time, settling_time(*seeker.of));
+  return delay_ + time;
 }
 
 /// All that have not been found move at once, each at its own speed, until one of them can go no
@@ -117,7 +115,7 @@ Homing::Leg Homing::towards_switches(const AxisVector& place) {
   double time = std::numeric_limits<double>::infinity();
   for (const Seeker& seeker : group_)
     if (!seeker.found) time = std::min(time, seeker.range / seeker.speed);
-  Leg leg{place, 0, settling_time()};
+  Leg leg{place, 0, pause()};
   for (const Seeker& seeker : group_)
     if (!seeker.found) leg.to[seeker.axis] += seeker.direction * seeker.speed * time;
   leg.feed = (leg.to - place).norm() / time;
@@ -126,7 +124,7 @@ Homing::Leg Homing::towards_switches(const AxisVector& place) {
 
 /// Rests there until the tables have come to rest, too.
 Homing::Leg Homing::off_switches(const AxisVector& place) {
-  Leg leg{place, 0, settling_time()};
+  Leg leg{place, 0, pause()};
   double time = 0;
   for (const Seeker& seeker : group_) {
     leg.to[seeker.axis] = seeker.edge - seeker.direction * seeker.of->home.back_off;
@@ -149,6 +147,7 @@ void Homing::take_edges() {
 bool Homing::sees(const Feedback& feedback) {
   closed_ = feedback.home;
   table_ = feedback.position;
+  if (static_cast<double>(++rows_) * machine_.control.period < delay_) return false;
   if (!std::exchange(begun_, true)) {
     for (int i = 0; i < kAxes; ++i) {
       const auto axis = static_cast<std::size_t>(i);

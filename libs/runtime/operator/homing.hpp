@@ -25,7 +25,8 @@ class Homing {
     double pause;   // s
   };
 
-  explicit Homing(const Machine& machine);
+  /// The backend reads its inputs up to `delay` s after the rows that they belong to.
+  explicit Homing(const Machine& machine, double delay = 0);
 
   /// Returns whether an axis of the machine has a home switch.
   static bool is_possible(const Machine& machine) noexcept;
@@ -62,7 +63,7 @@ class Homing {
   void begin_search();
   void begin_latch();
   void count_range(const AxisVector& place);
-  double settling_time() const noexcept;
+  double pause() const noexcept;
   Leg towards_switches(const AxisVector& place);
   Leg off_switches(const AxisVector& place);
   bool all_found() const noexcept;
@@ -74,11 +75,14 @@ class Homing {
   void fail(int axis, const std::string& what);
 
   const Machine& machine_;
+  double delay_;  // s
   std::vector<Seeker> group_;
   int order_ = 0;  // of the group
   Phase phase_ = Phase::leave;
   std::array<bool, kAxes> closed_{};
-  bool begun_ = false;                      // a row has been seen
+  bool waited_ = false;                     // until the switches have been read,
+  std::int64_t rows_ = 0;                   // over so many rows
+  bool begun_ = false;                      // they have been seen
   AxisVector place_ = AxisVector::Zero();   // mm: where the machine rests
   AxisVector table_ = AxisVector::Zero();   // mm: where it was measured last
   AxisVector offset_ = AxisVector::Zero();  // mm: to machine coordinates

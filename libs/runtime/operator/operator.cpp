@@ -8,6 +8,7 @@
 #include "hal/files/number.hpp"
 #include "runtime/check/check.hpp"
 #include "runtime/operator/refusal.hpp"
+#include "runtime/session/axis_alarm.hpp"
 
 namespace softcnc::runtime {
 
@@ -24,6 +25,7 @@ Operator::Operator(const Machine& machine, const ChannelOptions& options, hal::B
       outputs_(options.outputs),
       programmed_(options.outputs) {
   options_.hurries = false;
+  if (backend.has_probe()) options_.interpreter.contacts = ipr::Contacts::read;
   last_.position = options.state.place();
   begin_session(options.state);
 }
@@ -39,6 +41,7 @@ void Operator::begin_session(const MachineState& state) {
   if (begun_) session_->count_on_from(last_);
   running_ = is_program_ = false;
   left_.reset();
+  probing_.reset();
   returning_ = false;
   to_change_.reset();
 }
@@ -120,10 +123,38 @@ Status Operator::touch_off(int axis, double value) {
 // Motion ------------------------------------------------------------------------------------------
 
 std::optional<Row> Operator::step() {
-  if (jog_) return step_of(*jog_);
-  if (!running_ || return_point()) return std::nullopt;
-  if (waits_ > 0 && mode_ == MachineMode::run && !moving() && --waits_ == 0) go_on();
-  return step_of(*session_);
+  const bool stands = !jog_ && (!running_ || return_point());
+  if (!stands && !jog_ && waits_ > 0 && mode_ == MachineMode::run && !moving() && --waits_ == 0)
+    go_on();
+  auto row = stands ? std::nullopt : step_of(jog_ ? *jog_ : *session_);
+  if (row) {
+    rests_ = false;
+    return row;
+  }
+  if (begun_ && !moving() && !std::exchange(rests_, true)) backend_.rest(last_);
+  look_around();
+  return row;
+}
+
+/// Inputs change at rest, too.
+void Operator::look_around() {
+  const Feedback seen = backend_.look();
+  take_door(seen.door);
+  if (seen.alarm != Alarm::none && mode_ != MachineMode::alarm) fail(seen);
+}
+
+void Operator::take_door(bool open) {
+  if (open == std::exchange(door_input_, open)) return;
+  open ? static_cast<void>(door()) : door_closed();
+}
+
+/// An alarm of the backend.
+void Operator::fail(const Feedback& feedback) {
+  if (report_ && is_of_axis(feedback.alarm))
+    report_(alarm_diagnostic(last_, feedback));
+  else if (const auto trouble = backend_.trouble(); report_ && trouble)
+    report_(*trouble);
+  estop();
 }
 
 std::optional<Row> Operator::step_of(Session& session) {
@@ -144,11 +175,16 @@ std::optional<Row> Operator::step_of(Session& session) {
   last_.fine = {};
   begun_ = true;
   follow_outputs();
-  if (homing_ && homing_->sees(row->feedback)) jog_->abort();
-  if (row->feedback.alarm == Alarm::none) return row;
+  const Feedback& feedback = row->feedback;
+  if (jog_ && ((homing_ && homing_->sees(feedback)) || (probing_ && probing_->sees(feedback))))
+    jog_->abort();
+  if (feedback.alarm == Alarm::none) {
+    take_door(feedback.door);
+    return row;
+  }
   values_.assign(row->values.begin(), row->values.end());
-  const Row last{last_, row->feedback, values_};
-  estop();
+  const Row last{last_, feedback, values_};
+  fail(feedback);
   return last;
 }
 
@@ -166,6 +202,10 @@ void Operator::settle_jog() {
   if (rests_in_) return ended();
   if (to_change_ && (last_.position - *to_change_).norm() <= kSamePlace) to_change_.reset();
   if (homing_) return home_on();
+  if (probing_ && !returning_ && mode_ == MachineMode::run) {
+    const Probing probing = *std::exchange(probing_, std::nullopt);
+    return session_->probed(probing.answer(last_.position));
+  }
   if (mode_ == MachineMode::jog || mode_ == MachineMode::home) mode_ = mode_at_rest();
   if (!returning_) return;
   if (!return_point()) return go_on();
@@ -178,6 +218,7 @@ void Operator::settle_program() {
     last_ = session_->last();
     follow_outputs();
     if (mode_ != MachineMode::run) return;
+    if (session_->probe() != nullptr) return begin_probing();
     mode_ = MachineMode::hold;
     if (is_tool_change(*session_->pause())) change_tool();
     return;
@@ -191,7 +232,8 @@ void Operator::settle_program() {
     session_->go_on();
   session_->resume();  // where nothing runs, nothing is held
   running_ = is_program_ = false;
-  mode_ = mode_ == MachineMode::door ? mode_ : mode_at_rest();
+  const bool stays = mode_ == MachineMode::door || mode_ == MachineMode::hold;
+  mode_ = stays ? mode_ : mode_at_rest();
 }
 
 AxisVector Operator::to_go() const noexcept {

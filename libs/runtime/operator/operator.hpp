@@ -18,6 +18,7 @@
 #include "runtime/operator/machine_mode.hpp"
 #include "runtime/operator/open_text.hpp"
 #include "runtime/operator/position_status.hpp"
+#include "runtime/operator/probing.hpp"
 #include "runtime/session/session.hpp"
 
 namespace softcnc::runtime {
@@ -82,7 +83,7 @@ class Operator {
   Status door();
   /// The door is closed again: resume() is possible.
   void door_closed() noexcept { door_open_ = false; }
-  /// Leaves Alarm.
+  /// Leaves Alarm. Errors: SC5080; SC5031 to SC5033 where an input of the port is still on.
   Status unlock();
   /// Begins or ends that lines are only judged.
   Status check();
@@ -178,6 +179,12 @@ class Operator {
   bool leads_off_switch(const Jog& jog) const noexcept;
   void move_by_hand(const AxisVector& to, double feed);
   void home_on();
+  void begin_by_hand(const Machine& machine);
+  void begin_probing();
+  void probe_on();
+  void look_around();
+  void take_door(bool open);
+  void fail(const Feedback& feedback);
   void stand_at(const AxisVector& place);
   void pause_motion();
   std::int64_t periods_in(double seconds) const noexcept;
@@ -212,10 +219,12 @@ class Operator {
   std::optional<Session> judged_;            // in Check
   AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
   std::optional<Homing> homing_;             // its legs are jogs
+  std::optional<Probing> probing_;           // its move is one, too
   bool locked_ = false;                      // it has begun in Alarm, and not come to its end
   OpenText open_;
   Setpoint last_;
   bool begun_ = false;                 // there is a last row
+  bool rests_ = false;                 // since then, and the backend knows
   bool known_;                         // the position
   Outputs outputs_, programmed_;       // with the override of the spindle, and without
   std::optional<Outputs> before_off_;  // by a door or for a change of the tool
@@ -228,6 +237,7 @@ class Operator {
   std::optional<MachineMode> rests_in_;  // once the machine is at rest,
   bool resets_ = false;                  // spindle and coolant go off then
   bool door_open_ = false;
+  bool door_input_ = false;       // the same, by the backend's input
   std::int64_t waits_ = 0;        // periods: for the spindle
   std::int64_t dry_ = 0;          // periods: at rest, without a next line
   std::optional<Switch> switch_;  // at an end of an axis

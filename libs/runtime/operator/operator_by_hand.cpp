@@ -53,16 +53,17 @@ Status Operator::jog(const Jog& jog) {
   return {};
 }
 
+void Operator::begin_by_hand(const Machine& machine) {
+  jog_.emplace(machine, of_jog(options_, last_.position, outputs_), backend_, sink_, report_);
+  if (begun_) jog_->count_on_from(last_);
+  jog_->set_rapid_override(rapid_override_);  // of the way back
+  jog_end_ = last_.position;
+}
+
 /// A feed of 0 stands for a rapid.
 void Operator::move_by_hand(const AxisVector& to, double feed) {
-  if (!jog_) {
-    const bool keeps_travel = known_ && !homing_ && !returning_;  // where it was it may be again
-    jog_.emplace(keeps_travel ? machine_ : free_machine_,
-                 of_jog(options_, last_.position, outputs_), backend_, sink_, report_);
-    if (begun_) jog_->count_on_from(last_);
-    jog_->set_rapid_override(rapid_override_);  // of the way back
-    jog_end_ = last_.position;
-  }
+  const bool keeps_travel = known_ && !homing_ && !returning_;  // where it was it may be again
+  if (!jog_) begin_by_hand(keeps_travel ? machine_ : free_machine_);
   if (to != jog_end_) jog_->feed(jog_block(jog_end_, to, feed));
   jog_->rest();
   jog_end_ = to;
@@ -110,7 +111,8 @@ Status Operator::home() {
   if (!backend_.has_home_switches())
     return refusal("home: the backend has no inputs for home switches");
   open_.forget();
-  homing_.emplace(machine_);
+  if (Status recovered = backend_.recover(); !recovered) return recovered;
+  homing_.emplace(machine_, backend_.delay());
   homed_ = false;
   locked_ = mode_ == MachineMode::alarm;
   mode_ = MachineMode::home;
@@ -136,6 +138,22 @@ void Operator::home_on() {
   known_ = known_ || homing.finds_all();
   stand_at(homing.found_place());
   mode_ = mode_at_rest();
+}
+
+/// The program waits for what the machine finds.
+void Operator::begin_probing() {
+  probing_.emplace(*session_->probe(), machine_, backend_.delay());
+  backend_.touch_with(probing_->request().tip);
+  probe_on();
+}
+
+/// From where the machine rests, be it in the middle of the move.
+void Operator::probe_on() {
+  begin_by_hand(machine_);
+  jog_end_ = probing_->request().to;
+  if (!probing_->has_ended())
+    for (Block& block : probing_->blocks(last_.position)) jog_->feed(std::move(block));
+  jog_->rest();
 }
 
 }  // namespace softcnc::runtime

@@ -74,7 +74,12 @@ void Operator::go_on() {
   left_.reset();
   returning_ = false;
   if (waits_ > 0) return;
-  session_->resume();
+  if (probing_)
+    probe_on();
+  else if (session_->probe() != nullptr)
+    begin_probing();
+  else
+    session_->resume();
 }
 
 /// Ends what runs, in this state once the machine is at rest.
@@ -132,6 +137,7 @@ Status Operator::unlock() {
   if (const auto answer = answered(Request::unlock)) return *answer;
   if (jog_) return refusal("unlock: a jog has not ended yet");
   if (switch_) return refusal("unlock: jog away from the limit switch first");
+  if (Status recovered = backend_.recover(); !recovered) return recovered;
   locked_ = false;
   mode_ = mode_at_rest();
   return {};
@@ -146,7 +152,9 @@ Status Operator::check() {
   }
   mode_ = MachineMode::check;
   options_.state = state();
-  judged_.emplace(machine_, options_, *nowhere_, nullptr, report_);
+  ChannelOptions options = options_;
+  options.interpreter.contacts = ipr::Contacts::expected;
+  judged_.emplace(machine_, options, *nowhere_, nullptr, report_);
   return {};
 }
 
@@ -184,6 +192,7 @@ void Operator::estop() {
   locked_ = false;
   jog_.reset();
   homing_.reset();
+  probing_.reset();
   judged_.reset();
   rests_in_.reset();
   before_off_.reset();
@@ -258,6 +267,7 @@ Status Operator::set_position(const AxisVector& place) {
 /// The same place has other coordinates.
 void Operator::stand_at(const AxisVector& place) {
   const MachineState before = state();
+  if (begun_) backend_.rest(last_);
   last_.position = place;
   backend_.begin_again();
   begin_session(before);

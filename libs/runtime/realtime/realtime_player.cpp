@@ -11,7 +11,6 @@
 namespace softcnc::runtime {
 namespace {
 
-constexpr std::int64_t kLook = 1'000'000;           // ns from one look at the inputs to the next
 constexpr std::int64_t kFillingBreath = 1'000'000;  // ns between two tries to fill the queue
 constexpr std::int64_t kPatience = 20'000'000;      // ns for the thread to end by itself
 
@@ -26,10 +25,29 @@ Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
     double ahead) {
   std::unique_ptr<RealtimePlayer> player(
       new RealtimePlayer(machine, std::move(registers), std::move(listener), ahead));
-  if (const Alarm alarm = player->output_.look(); alarm != Alarm::none)
-    return tl::make_unexpected(player->output_.diagnostic(alarm));
-  player->thread_ = std::thread([raw = player.get()] { raw->run(); });
+  if (Status started = player->start(); !started)
+    return tl::make_unexpected(std::move(started.error()));
   return player;
+}
+
+Status RealtimePlayer::start() {
+  words_.emplace(words_in(ahead_, timing_));
+  written_ = 0;
+  alarm_ = Alarm::none;
+  ended_ = false;
+  if (const Alarm alarm = look(); alarm != Alarm::none) {
+    alarm_ = alarm;
+    ended_ = true;
+    return tl::make_unexpected(output_.diagnostic(alarm));
+  }
+  thread_ = std::thread([this] { run(); });
+  return {};
+}
+
+Status RealtimePlayer::recover() {
+  if (alarm_ == Alarm::none) return {};
+  if (thread_.joinable()) thread_.join();
+  return start();
 }
 
 RealtimePlayer::RealtimePlayer(const Machine& machine,
@@ -37,9 +55,8 @@ RealtimePlayer::RealtimePlayer(const Machine& machine,
                                double ahead)
     : timing_(hal::port_timing(machine)),
       tolerance_(std::llround(ns_from_s(machine.control.period))),
-      ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
+      ahead_(ahead),
       output_(std::move(registers), machine),
-      words_(words_in(ahead, timing_)),
       listener_(std::move(listener)) {
   listener_.holds_port(this);
 }
@@ -52,14 +69,14 @@ RealtimePlayer::~RealtimePlayer() {
 
 Alarm RealtimePlayer::play(std::span<const hal::PortWord> words) noexcept {
   for (const hal::PortWord& word : words)
-    while (!words_.push(word)) {
+    while (!words_->push(word)) {
       if (ended_) return alarm_;
       sleep_until(now_ns() + kFillingBreath);
     }
   return alarm_;
 }
 
-void RealtimePlayer::rest() noexcept { words_.rest(); }
+void RealtimePlayer::rest() noexcept { words_->rest(); }
 
 Status RealtimePlayer::finish() {
   rest();
@@ -92,20 +109,32 @@ void RealtimePlayer::run() noexcept {
 Alarm RealtimePlayer::write_next() noexcept {
   using Next = RealtimeQueue<hal::PortWord>::Next;
   hal::PortWord word;
-  const Next next = words_.take(word);
-  if (next == Next::item) return output_.write(word);
+  const Next next = words_->take(word);
+  if (next == Next::item) {
+    ++written_;
+    return output_.write(word);
+  }
   return next == Next::stands ? output_.write_again() : Alarm::overrun;
+}
+
+/// The inputs that stop the port, and what has changed of the others.
+Alarm RealtimePlayer::look() noexcept {
+  const Alarm alarm = output_.look();
+  if (alarm == Alarm::none && output_.inputs() != seen_ &&
+      changes_.push({written_, output_.inputs()}))
+    seen_ = output_.inputs();
+  return alarm;
 }
 
 Alarm RealtimePlayer::play_all() noexcept {
   Alarm alarm = output_.write(output_.pins().enabled());
   hal::TickPace pace(timing_.base, timing_.shortest, now_ns() + timing_.base);
-  for (std::int64_t tick = 0; alarm == Alarm::none && !abandoned_; ++tick) {
-    if (finishing_ && words_.all_taken()) break;
+  while (alarm == Alarm::none && !abandoned_) {
+    if (finishing_ && words_->all_taken()) break;
     sleep_until(pace.due());
     const bool late = pace.come(now_ns()) > tolerance_;
-    if (tick % ticks_to_look_ == 0) alarm = output_.look();
-    if (alarm == Alarm::none && late && words_.moves()) alarm = Alarm::overrun;
+    alarm = look();
+    if (alarm == Alarm::none && late && words_->moves()) alarm = Alarm::overrun;
     if (alarm == Alarm::none) alarm = write_next();
   }
   return alarm;

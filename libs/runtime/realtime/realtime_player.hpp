@@ -5,12 +5,14 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "hal/ports/port_output.hpp"
 #include "hal/ports/port_player.hpp"
 #include "hal/ports/port_timing.hpp"
 #include "motion/core/diagnostic.hpp"
+#include "runtime/realtime/bounded_queue.hpp"
 #include "runtime/realtime/realtime.hpp"
 #include "runtime/realtime/realtime_queue.hpp"
 
@@ -41,6 +43,11 @@ class RealtimePlayer final : public hal::PortPlayer {
 
   Alarm play(std::span<const hal::PortWord> words) noexcept override;
   void rest() noexcept override;
+  double ahead() const noexcept override { return ahead_; }
+  bool next_change(hal::PortChange& change) noexcept override { return changes_.take(change); }
+  Alarm alarm() const noexcept override { return alarm_; }
+  Diagnostic trouble() const override { return output_.diagnostic(alarm_); }
+  Status recover() override;
   Status finish() override;
 
   /// Puts the port at rest as soon as the present word is out, and writes nothing more. For signal
@@ -48,18 +55,25 @@ class RealtimePlayer final : public hal::PortPlayer {
   void abandon() noexcept;
 
  private:
+  static constexpr std::size_t kChanges = 4096;  // that wait to be taken; more are left out
+
   RealtimePlayer(const Machine& machine, std::unique_ptr<hal::PortRegisters> registers,
                  Listener listener, double ahead);
 
+  Status start();
   void run() noexcept;
   Alarm play_all() noexcept;
+  Alarm look() noexcept;
   Alarm write_next() noexcept;
 
   hal::PortTiming timing_;
-  std::int64_t tolerance_;      // ns: later than this is an overrun
-  std::int64_t ticks_to_look_;  // from one look at the inputs to the next
+  std::int64_t tolerance_;  // ns: later than this is an overrun
+  double ahead_;            // s
   hal::PortOutput output_;
-  RealtimeQueue<hal::PortWord> words_;
+  std::optional<RealtimeQueue<hal::PortWord>> words_;
+  std::int64_t written_ = 0;  // of them
+  BoundedQueue<hal::PortChange> changes_{kChanges};
+  hal::PortInputs seen_;  // the last change that was pushed
   std::atomic<bool> finishing_{false}, abandoned_{false}, ended_{false};
   std::atomic<Alarm> alarm_{Alarm::none};
   RealtimeRights rights_;

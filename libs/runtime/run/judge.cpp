@@ -75,7 +75,8 @@ void judge(const Outcome& outcome, const hal::Backend& backend, const Machine& m
   if (outcome.contour)
     if (auto found = contour_excess(machine, *outcome.contour))
       diagnostics.report(std::move(*found));
-  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  if (is_of_axis(outcome.feedback.alarm))
+    diagnostics.report(alarm_diagnostic(outcome.last, outcome.feedback));
   if (has_come_to_rest(outcome) && diagnostics.errors() == 0)
     report_excess(outcome.measured, outcome.deviation, machine, diagnostics);
   if (has_come_to_rest(outcome) && diagnostics.errors() == 0)

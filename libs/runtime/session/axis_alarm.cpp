@@ -12,21 +12,21 @@ bool is_of_axis(Alarm alarm) noexcept {
          alarm == Alarm::lost_pulses;
 }
 
-Diagnostic alarm_diagnostic(const Outcome& outcome) {
-  const int axis = outcome.feedback.alarm_axis;
-  if (outcome.feedback.alarm == Alarm::lost_pulses)
+Diagnostic alarm_diagnostic(const Setpoint& last, const Feedback& feedback) {
+  const int axis = feedback.alarm_axis;
+  if (feedback.alarm == Alarm::lost_pulses)
     return {.code = Code::SC5020,
-            .pos = {outcome.last.line, 0, 1},
-            .message = fmt::format(
-                "lost pulses of {}: its counter has missed one on the way to {:.4f} mm",
-                kAxisLetters[static_cast<std::size_t>(axis)], outcome.last.position[axis])};
-  const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
-  const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
-  return {.code = overflow ? Code::SC5002 : Code::SC5001,
-          .pos = {outcome.last.line, 0, 1},
-          .message = fmt::format("{} of {}: it is {:.3f} mm behind its command",
-                                 name(outcome.feedback.alarm),
-                                 kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag))};
+            .pos = {last.line, 0, 1},
+            .message =
+                fmt::format("lost pulses of {}: its counter has missed one on the way to {:.4f} mm",
+                            kAxisLetters[static_cast<std::size_t>(axis)], last.position[axis])};
+  const double lag = last.position[axis] - feedback.position[axis];
+  const bool overflow = feedback.alarm == Alarm::counter_overflow;
+  return {
+      .code = overflow ? Code::SC5002 : Code::SC5001,
+      .pos = {last.line, 0, 1},
+      .message = fmt::format("{} of {}: it is {:.3f} mm behind its command", name(feedback.alarm),
+                             kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag))};
 }
 
 }  // namespace softcnc::runtime

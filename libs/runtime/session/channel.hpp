@@ -65,6 +65,11 @@ class Channel {
     return interpolator_.rest_at(feeder_.pauses().front().block.number);
   }
 
+  /// Another has moved the machine while it rested there: it stands at `place`, mm.
+  void stand_at(const AxisVector& place) noexcept {
+    interpolator_.stand_at(feeder_.pauses().front().block.number, place);
+  }
+
   /// Returns whether there is no next setpoint until more of the program comes.
   bool waiting() const noexcept {
     return feeder_.needs_more_first() ||

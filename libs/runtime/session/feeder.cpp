@@ -17,7 +17,7 @@ bool is_pause(const Block& block) {
   const auto* action = std::get_if<Action>(&block.what);
   if (action == nullptr) return false;
   constexpr int kM06 = 6;
-  return action->kind == Action::Kind::stop ||
+  return action->kind == Action::Kind::stop || action->kind == Action::Kind::probe ||
          (action->kind == Action::Kind::tool && action->code == kM06);
 }
 
@@ -82,9 +82,14 @@ void Feeder::come_to_rest(ipo::BlockQueue& queue) {
     planner_.push({Dwell{kPeriods * machine_.control.period}, last_place_, last_number_});
     planner_.come_to_rest();
   }
-  while (auto part = planner_.pop_part_now()) take(queue, std::move(*part));
+  take_all(queue);
   waiting_ = !ended_;
   cpu_ += cpu.lap();
+}
+
+/// What comes after a rest may divide the last move before it: that has been timed by then.
+void Feeder::take_all(ipo::BlockQueue& queue) {
+  while (auto part = planner_.pop_part_now()) take(queue, std::move(*part));
 }
 
 void Feeder::look_ahead(ipo::BlockQueue& queue, double s, double t) {
@@ -141,6 +146,7 @@ void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
   CpuLaps cpu;
   begin_replan(queue, asked);
   queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
+  if (at_rest_) take_all(queue);
   cpu_ += cpu.lap();
 }
 

@@ -81,6 +81,10 @@ class Feeder {
     pauses_.pop_front();
   }
 
+  /// The probing move at which the program waits; null: none.
+  const ProbeRequest* probe() const noexcept { return interpreter_.probe(); }
+  void probed(const ProbeAnswer& answer) { interpreter_.probed(answer); }
+
   /// Returns the number of the last block that has been read.
   int last_number() const noexcept { return last_number_; }
   /// What the lines before the first one with an error have left: Interpreter::memory().
@@ -119,6 +123,7 @@ class Feeder {
   void plan(Block block);
   std::optional<Block> next_block();
   void take(ipo::BlockQueue& queue, ipo::TimedPart part);
+  void take_all(ipo::BlockQueue& queue);
   void end_at_last_block();
   bool is_endless();
   void read_unplanned(std::optional<Block> block);

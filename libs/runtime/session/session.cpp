@@ -35,6 +35,7 @@ Session::Session(const Machine& machine, const ChannelOptions& options, hal::Bac
       requests_(options.feed_override),
       values_(row_columns(backend).size()) {
   last_.position = options.state.place();
+  last_.period = -1;  // of no row
   begin();
 }
 
@@ -172,6 +173,7 @@ bool Session::is_to_pause() noexcept {
   if (requests_.stops() || !channel_->pause_ahead()) return false;
   if (std::exchange(status_, SessionStatus::paused) == SessionStatus::paused) return true;
   Setpoint at = counted_on(channel_->rest_at_pause());
+  at.period = last_.period;
   at.outputs = outputs();
   backend_.rest(at);
   at.pulses = {};
@@ -245,6 +247,20 @@ void Session::resume() noexcept {
   if (status_ != SessionStatus::paused) return;
   channel_->resume();
   status_ = SessionStatus::running;
+}
+
+const ProbeRequest* Session::probe() const noexcept {
+  const Pause* at = pause();
+  const auto* action = at == nullptr ? nullptr : std::get_if<Action>(&at->block.what);
+  const bool is_probe = action != nullptr && !at->before && action->kind == Action::Kind::probe;
+  return is_probe ? channel_->feeder().probe() : nullptr;
+}
+
+void Session::probed(const ProbeAnswer& answer) {
+  channel_->feeder().probed(answer);
+  channel_->stand_at(answer.rest);
+  rests_ = false;
+  resume();
 }
 
 std::optional<ContourReport> Session::contour() const {

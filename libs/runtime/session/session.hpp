@@ -23,7 +23,7 @@ namespace softcnc::runtime {
 enum class SessionStatus : std::uint8_t {
   running,  // step() gives the next row
   waiting,  // for more of the program; the last row may be at speed, unless rest() was called
-  paused,   // at M00, M01 or M06: resume() goes on
+  paused,   // at M00, M01 or M06: resume() goes on; or at probe(): probed() does
   done,     // the program, or what abort() has left of it, has come to its end
   alarm,    // of the backend: nothing moves any more
   error,    // a line was wrong: the machine stands where the last good block ends, see go_on()
@@ -132,6 +132,11 @@ class Session {
   const Pause* pause() const noexcept {
     return status_ == SessionStatus::paused ? &channel_->feeder().pauses().front() : nullptr;
   }
+  /// Returns the probing move at which the session waits for probed(); null: at none.
+  const ProbeRequest* probe() const noexcept;
+  /// Takes what another session, which has moved the machine there, has found: count_on_from() has
+  /// its last row. The program goes on from where it rests.
+  void probed(const ProbeAnswer& answer);
   /// Returns modes, offsets and variables of the lines that have been read: these are ahead of the
   /// motion.
   const ipr::Memory& memory() const noexcept { return channel_->feeder().memory(); }
