@@ -2,101 +2,32 @@
 # SPDX-License-Identifier: MIT
 """Senders of grbl at `softcnc serve`, on a pseudo-terminal and by TCP.
 
-    tests/apps/serve_clients.py SOFTCNC
+    tests/apps/serve_clients.py SOFTCNC [CHORDS]
 
-Streams 5,000 chords of 0.1 mm at F15000 by both protocols of grbl's streamers, over both connections:
-the time must be that of `run`, within half a percent and a few periods. Then: a second client, one
-that vanishes, one that speaks HTTP, one that never reads, lines without end, and a program that the
-sender begins by `~`.
+Streams 5,000 chords, or as many as are given, of 0.1 mm at F15000 by both protocols of grbl's
+streamers, over both connections: the time must be that of `run`, within half a percent and a few
+periods. Then: a second client, one that vanishes, one that speaks HTTP, one that never reads, lines
+without end, and a program that the sender begins by `~`.
 """
 import csv
 import math
 import os
 import pathlib
-import re
-import select
-import signal
 import socket
 import subprocess
 import sys
 import tempfile
-import termios
 import time
-import tty
 
-CHORDS = 5000
+from grbl_client import Server, by_tcp, by_terminal
 
-
-class Line:
-    """A connection: bytes out, lines in."""
-
-    def __init__(self, descriptor, owner=None):
-        self.descriptor, self.owner, self.heard = descriptor, owner, b""
-
-    def send(self, data):
-        os.write(self.descriptor, data)
-
-    def line(self, seconds=10):
-        end = time.monotonic() + seconds
-        while b"\r\n" not in self.heard:
-            ready, _, _ = select.select([self.descriptor], [], [], max(0, end - time.monotonic()))
-            if not ready:
-                raise AssertionError(f"nothing heard but {self.heard!r}")
-            data = os.read(self.descriptor, 65536)
-            if not data:
-                return None
-            self.heard += data
-        line, self.heard = self.heard.split(b"\r\n", 1)
-        return line.decode()
-
-    def ask(self, data, seconds=10):
-        """All lines up to the answer."""
-        self.send(data)
-        lines = []
-        while not lines or not re.fullmatch(r"ok|error:\d+|<.*>", lines[-1]):
-            lines.append(self.line(seconds))
-        return lines
-
-    def report(self):
-        return self.ask(b"?")[-1]
+CHORDS, CHORD = 5000, 0.1  # mm
 
 
-def by_tcp(port):
-    connection = socket.create_connection(("127.0.0.1", port))
-    line = Line(connection.fileno(), connection)
-    assert line.line() == "" and line.line().startswith("Grbl 1.1"), "no banner"
-    return line
-
-
-def by_terminal(link):
-    descriptor = os.open(link, os.O_RDWR | os.O_NOCTTY)
-    tty.setraw(descriptor, termios.TCSANOW)
-    return Line(descriptor)
-
-
-class Server:
-    def __init__(self, softcnc, folder, *options):
-        self.link = str(folder / "grbl")
-        self.process = subprocess.Popen(
-            [softcnc, "serve", "--pty", self.link, "--tcp", "0", *options], cwd=folder,
-            stderr=subprocess.PIPE, text=True)
-        said = ""
-        while "serves grbl" not in said:
-            said = self.process.stderr.readline()
-            assert said, "it has ended"
-        self.port = int(re.search(r"127\.0\.0\.1:(\d+)", said).group(1))
-
-    def end(self):
-        self.process.send_signal(signal.SIGTERM)
-        status = self.process.wait(20)
-        self.process.stderr.close()
-        assert status == 128 + signal.SIGTERM, status
-
-
-def program():
+def program(chords):
     lines = ["G21 G90 G1 F15000"]
-    for i in range(1, CHORDS + 1):
-        s = 0.1 * i
+    for i in range(1, chords + 1):
+        s = CHORD * i
         lines.append(f"X{s:.4f} Y{10 * math.sin(s / 20):.4f}")
     return lines
 
@@ -124,19 +55,23 @@ def moving_time(trace):
     return sum(v > 0 for v in rows) / 1000
 
 
-def streams(softcnc, folder):
-    (folder / "p.nc").write_text("\n".join(program()) + "\n", encoding="utf-8")
-    subprocess.run([softcnc, "run", "-q", "p.nc", "--dialect", "grbl", "--trace", "run.csv"], cwd=folder,
-                   check=True, stderr=subprocess.DEVNULL)
+def streams(softcnc, folder, chords=CHORDS):
+    (folder / "p.nc").write_text("\n".join(program(chords)) + "\n", encoding="utf-8")
+    travel = ("--set", f"axis.x.max_mm={CHORD * chords + 1000}")
+    subprocess.run(
+        [softcnc, "run", "-q", "p.nc", "--dialect", "grbl", "--trace", "run.csv", *travel],
+        cwd=folder, check=True, stderr=subprocess.DEVNULL)
     wanted = moving_time(folder / "run.csv")
     for name, connect in (("tcp", lambda server: by_tcp(server.port)),
                           ("pty", lambda server: by_terminal(server.link))):
         for counts in (False, True):
             trace = folder / f"{name}{counts}.csv"
-            server = Server(softcnc, folder, "--trace", str(trace))
-            stream(connect(server), program(), counts)
+            server = Server(softcnc, folder, "--trace", str(trace), *travel)
+            stream(connect(server), program(chords), counts)
             server.end()
             took = moving_time(trace)
+            print(f"{chords} chords, {name}, {'counting' if counts else 'waiting'}: {took:.3f} s, "
+                  f"run {wanted:.3f} s, {100 * (took / wanted - 1):+.3f} %", flush=True)
             assert abs(took - wanted) <= 0.005 * wanted + 0.005, (name, counts, took, wanted)
 
 
@@ -210,7 +145,10 @@ def own_program(softcnc, folder):
 
 def main():
     softcnc = os.path.abspath(sys.argv[1])
-    for part in (streams, several, lines_without_end, own_program):
+    chords = int(sys.argv[2]) if len(sys.argv) > 2 else CHORDS
+    with tempfile.TemporaryDirectory() as name:
+        streams(softcnc, pathlib.Path(name), chords)
+    for part in (several, lines_without_end, own_program):
         with tempfile.TemporaryDirectory() as name:
             part(softcnc, pathlib.Path(name))
 

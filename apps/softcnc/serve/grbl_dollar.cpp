@@ -74,7 +74,8 @@ void GrblControl::set(std::string_view number, std::string_view value) {
   if (mode != MachineMode::idle && mode != MachineMode::alarm)
     return say_error(GrblError::kNotIdle);
   const auto wanted = number_of(value), which = number_of(number);
-  if (!wanted || !which) return say_error(GrblError::kStatement);
+  constexpr double kLargest = 255;
+  if (!wanted || !which || *which < 0 || *which > kLargest) return say_error(GrblError::kStatement);
   if (reports_.set(static_cast<int>(*which), *wanted, machine_.machine())) return say("ok");
   say(fmt::format("[MSG:${} is what the machine file says]", number));
   say_error(GrblError::kStatement);

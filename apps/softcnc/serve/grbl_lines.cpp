@@ -15,6 +15,8 @@ using runtime::MachineMode;
 constexpr int kMostBlocks =
     4000;  // that are planned ahead: some 1.5 s of chords of 0.1 mm at F15000
 
+bool misses_contact(Code code) noexcept { return code == Code::SC2393 || code == Code::SC2394; }
+
 }  // namespace
 
 void GrblControl::read_on() {
@@ -64,6 +66,7 @@ void GrblControl::end_wait() {
     say("[MSG:Pgm End]");
     begin_modes();
   }
+  if (!found_.empty() && misses_contact(found_.front().code)) return miss();
   if (!found_.empty()) return refuse(found_.front());
   say("ok");
 }
@@ -97,8 +100,7 @@ void GrblControl::run(const std::string& line) {
     wait_ = waits_for_motion(waiting_) ? Wait::rest : Wait::fewer_blocks;
     return;
   }
-  const bool misses = probes(waiting_) && !found_.empty() && found_.front().code == Code::SC2394;
-  if (misses)
+  if (!found_.empty() && misses_contact(found_.front().code))
     miss();
   else if (found_.empty())
     say_error(GrblError::kNotIdle);
@@ -110,11 +112,12 @@ void GrblControl::run(const std::string& line) {
   if (machine_.machine().attendance.on_error == OnError::hold) hold();
 }
 
-/// A probing move that would meet nothing.
+/// A probing move that meets nothing, or begins in a contact.
 void GrblControl::miss() {
+  const bool closed = found_.front().code == Code::SC2393;
   reports_.lose_probed();
   say(grbl_message(found_.front()));
-  say(fmt::format("ALARM:{}", GrblAlarm::kNoContact));
+  say(fmt::format("ALARM:{}", closed ? GrblAlarm::kProbeClosed : GrblAlarm::kNoContact));
   say(reports_.probed());
   say("ok");
   say(kUnlockMessage);

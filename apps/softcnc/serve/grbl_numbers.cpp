@@ -45,6 +45,8 @@ std::string grbl_message(const Diagnostic& diagnostic) {
   std::replace(text.begin(), text.end(), ']', ')');
   for (const auto& [word, by] : {std::pair{"error", "fault"}, {"Error", "Fault"}, {"ok", "o-k"}})
     replace_all(text, word, by);
+  for (char& c : text)
+    if (c < ' ' || c > '~') c = '?';
   return "[MSG:" + text + "]";
 }
 
