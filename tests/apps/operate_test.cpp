@@ -288,6 +288,61 @@ TEST_CASE("Ctrl-C holds whatever is shown, and Enter goes on", "[apps][operate]"
   CHECK((desk.place() - AxisVector(50, 0, 0)).norm() < 1e-9);
 }
 
+TEST_CASE("a bore, a boss and a corner are probed by one line each", "[apps][operate]") {
+  const Folder folder;
+  const std::string bodies =
+      "[contact.left]\nmin_mm = [-60, 15, -60]\nmax_mm = [-47.5, 90, -20]\n"
+      "[contact.right]\nmin_mm = [-12.5, 15, -60]\nmax_mm = [0, 90, -20]\n"
+      "[contact.front]\nmin_mm = [-60, 15, -60]\nmax_mm = [0, 30, -20]\n"
+      "[contact.back]\nmin_mm = [-60, 72.25, -60]\nmax_mm = [0, 90, -20]\n";
+  write(folder / "mill.toml", read(kFirstMachine) + bodies);
+  Driven desk(options_of(folder / "mill.toml"));
+  desk.type("kX0 Y0 Z0\n");
+  const auto go = [&](const std::string& lines) {
+    desk.type("m" + lines + "\n");
+    desk.wait_for(MachineMode::idle);
+    desk.press(kEscape);
+  };
+  const auto probe = [&](const std::string& text) {
+    go("G20 G91");
+    desk.type("p" + text + "\n");
+    desk.wait_for(MachineMode::idle, 300);
+    CAPTURE(desk.text());
+    CHECK_FALSE(shows(desk.text(), "SC2"));
+    return AxisVector(desk.control().state().work_system(0).origin);
+  };
+  SECTION("a bore") {
+    go("G90 G53 G00 X-33 Y50");
+    go("G53 G00 Z-30");
+    const AxisVector origin = probe("bore X36 Y42");
+    CHECK((origin.head<2>() - Eigen::Vector2d(-30, 51.125)).norm() < 0.005);
+    CHECK((desk.place().head<2>() - origin.head<2>()).norm() < 0.005);
+  }
+  SECTION("a boss") {
+    go("G90 G53 G00 X41 Y28");
+    go("G53 G00 Z-35");
+    const AxisVector origin = probe("boss X60 Y40 Z8");
+    CHECK((origin.head<2>() - Eigen::Vector2d(40, 30)).norm() < 0.005);
+    CHECK(desk.place()[2] == Approx(-35).margin(0.003));
+  }
+  SECTION("a corner") {
+    go("G90 G53 G00 X75 Y0");
+    go("G53 G00 Z-45");
+    const AxisVector origin = probe("corner X-12 Y15");
+    CHECK((origin.head<2>() - Eigen::Vector2d(70, 10)).norm() < 0.005);
+    CHECK((desk.place() - AxisVector(75, 0, -45)).norm() < 0.005);
+  }
+  SECTION("one that is not there") {
+    go("G90 G53 G00 X75 Y-20");
+    go("G20 G91");
+    desk.type("pbore X10 Y10\n");
+    desk.wait_for(MachineMode::idle);
+    CHECK(shows(desk.text(), "[SC2394]"));
+    go("G00 X1");
+    CHECK(desk.place()[0] == Approx(75 - 11 + 25.4).margin(0.01));  // inches, and G91, again
+  }
+}
+
 TEST_CASE("what is wrong with a line, a place or a program is shown", "[apps][operate]") {
   const Folder folder;
   write(folder / "wrong.nc", "G01 X1 F100\nX2000\nM30\n");
@@ -299,7 +354,14 @@ TEST_CASE("what is wrong with a line, a place or a program is shown", "[apps][op
   desk.type("tX=3\n");
   CHECK(shows(desk.text(), "'X=3' is not an axis in mm, as X-12.5"));
   desk.type("pX5 Y5\n");
-  CHECK(shows(desk.text(), "one axis and how far in mm"));
+  CHECK(shows(desk.text(), "as Z-20, Z-20=0, bore X30 Y30, boss X60 Y40 Z8 or corner X15 Y15"));
+  for (const char* wrong : {"bore", "bore X-3 Y3", "bore X3", "boss X30 Y30", "boss X3 Y3 Zx",
+                            "corner X5", "corner X5 Z5", "corner X0 Y5", "pocket 3"}) {
+    CAPTURE(wrong);
+    desk.type(std::string("p") + wrong + "\n");
+    CHECK(shows(desk.text(), " in mm"));
+    CHECK(desk.control().mode() == MachineMode::idle);
+  }
   desk.type("s");
   CHECK(shows(desk.text(), "no program is loaded: l loads one"));
   desk.type("l" + (folder / "missing.nc") + "\n");

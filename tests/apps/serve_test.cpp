@@ -111,8 +111,11 @@ TEST_CASE("what is sent to grbl gets grbl's answers", "[apps][serve]") {
       {"$J=G91 X2 F600\n", "ok\r\n", "Jog"},
       {"G1 X5\n", "error:9\r\n", "Jog"},
       {"\x85", "", "Idle", 0.2},
-      {"$J=G91 X2\n", "error:22\r\n", "Idle"},
-      {"$J=G91 F100\n$J=G91 X1 F100 S5\n", "error:16\r\nerror:16\r\n", "Idle"},
+      {"$J=G91 X2\n", "[MSG:a jog needs a feed: F, above 0]\r\nerror:22\r\n", "Idle"},
+      {"$J=G91 F100\n$J=G91 X1 F100 S5\n",
+       "[MSG:a jog takes X Y Z, F, G20, G21, G53, G90 and G91]\r\nerror:16\r\n[MSG:a jog takes X Y "
+       "Z, F, G20, G21, G53, G90 and G91]\r\nerror:16\r\n",
+       "Idle"},
       {"$J=G53 X5000 F100\n",
        "[MSG:SC4001 a jog to X5000 leaves the travel X-1000 to X1000]\r\nerror:15\r\n", "Idle"},
       {"G1 X50 F600\n$J=G91 X1 F100\n", "ok\r\nerror:8\r\n", "Run"},
@@ -236,7 +239,9 @@ TEST_CASE("a cancel drops the jogs that were sent before it, wherever the machin
   CHECK(served.say("G90\n$J=G91 X1 F3000\n", 1) == "ok\r\nok\r\n");  // no moment of Run between
   CHECK(served.place()[0] == Approx(before + 1));
   CHECK(served.say("$J=G91 X1,5 F100\n$J=G91 X1 X2 F100\n$J=G91 X Y F100\n") ==
-        "error:2\r\nerror:25\r\nerror:2\r\n");
+        "[MSG:a jog has a word without a number]\r\nerror:2\r\n"
+        "[MSG:a jog has a word twice]\r\nerror:25\r\n"
+        "[MSG:a jog has a word without a number]\r\nerror:2\r\n");
 }
 
 TEST_CASE("a loop without an end is held, and left by a reset", "[apps][serve]") {

@@ -8,6 +8,7 @@ import numpy as np
 
 AXES = "xyz"
 OVER, OVER_JERK = 1.001, 1.005  # docs/trace.md: by so much at most, as differences of rows
+LANDING = 3  # periods: so much acceleration is left in the last row of a jerk-limited motion
 
 
 class Limits:
@@ -44,11 +45,18 @@ def jumps(trace, limits):
     """
     if len(trace.places) < 2:
         return np.array([], dtype=int)
-    steps = np.diff(trace.places, axis=0, prepend=trace.places[:1])
-    changes = np.abs(np.diff(steps, axis=0))  # row i: of the step that ends at i and the next one
-    most = OVER * limits.acceleration * limits.period**2
-    found = np.flatnonzero((trace.speeds[1:] == 0) & (changes > most).any(axis=1))
-    return found[np.diff(found, prepend=-2) > 1]  # the row after a jump is no other one
+    steps = np.diff(trace.places, axis=0, prepend=trace.places[:1])  # row i: that ends there
+    most = OVER * np.minimum(limits.acceleration * limits.period**2,
+                             LANDING * limits.jerk * limits.period**3)
+    rests = trace.speeds[1:] == 0
+    changes = np.abs(np.diff(steps, axis=0))
+    found = []
+    for row in np.flatnonzero(rests & ((changes > most) | (np.abs(steps[1:]) > most)).any(axis=1)):
+        follows = bool(found) and found[-1] == row - 1  # its own step is a jump
+        change = np.abs(steps[row + 1]) if follows else changes[row]
+        if (change > most).any():
+            found.append(row)
+    return np.array(found, dtype=int)
 
 
 def exceeded(trace, limits, jumps_allowed=0):

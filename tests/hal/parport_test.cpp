@@ -38,6 +38,7 @@ class PromptPlayer final : public PortPlayer {
   }
   void rest() noexcept override {}
   double ahead() const noexcept override { return 0; }
+  void follow(double) noexcept override {}
   bool next_change(PortChange&) noexcept override { return false; }
   Alarm alarm() const noexcept override { return Alarm::none; }
   Diagnostic trouble() const override { return output_.diagnostic(Alarm::port); }

@@ -117,8 +117,15 @@ TEST_CASE("a machine that moves by a port without a probe refuses to probe",
   REQUIRE(read.diagnostics.size() == 1);
   CHECK(render(read.diagnostics[0])
             .starts_with(
-                "softcnc:1:1: error: G38.2 is refused: without an operator nothing reads a probe "
-                "on the backend hal-stream [SC2114]"));
+                "softcnc:1:1: error: G38.2 is refused: the backend hal-stream has no input for a "
+                "probe [SC2114]"));
+  machine.control.backend = BackendKind::parport;
+  machine.parallel_port.probe_pin = 15;
+  const Interpreted by_run = interpret("G38.2 Z-5 F100\nM2\n", machine);
+  REQUIRE(by_run.diagnostics.size() == 1);
+  CHECK(render(by_run.diagnostics[0])
+            .starts_with("softcnc:1:1: error: G38.2 is refused: only softcnc operate and softcnc "
+                         "serve read backend.parport.probe_pin [SC2114]"));
   InterpreterOptions options;
   options.contacts = Contacts::expected;
   CHECK(interpret("G38.2 Z-5 F100\nM2\n", machine, options).blocks.size() == 3);

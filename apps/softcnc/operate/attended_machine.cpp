@@ -21,6 +21,8 @@ namespace {
 /// s of rows ahead of the clock, for a machine outside that must not wait for one: planning may
 /// take so long.
 constexpr double kLead = 0.1;
+/// s: the same where a switch or a contact ends the motion, and nothing long is planned.
+constexpr double kShortLead = 0.03;
 
 Result<std::unique_ptr<hal::PortPlayer>> open_leading_player(const Machine& machine) {
   return open_player(machine, kLead);
@@ -116,9 +118,12 @@ Status AttendedMachine::keep_state() {
 }
 
 Status AttendedMachine::advance(double now) {
-  const double lead = moves_machine(machine_.control.backend) ? kLead : 0;
+  const bool leads = moves_machine(machine_.control.backend);
   next_ = std::max(next_.value_or(now), now - kMostLate);
-  for (; *next_ <= now + lead; *next_ += machine_.control.period) {
+  for (;; *next_ += machine_.control.period) {
+    const double lead = control_->awaits_input() ? kShortLead : kLead;
+    if (leads) backend_->follow(lead);
+    if (*next_ > now + (leads ? lead : 0)) break;
     if (Status marked = mark_motion(); !marked) return marked;
     const bool is_of_program = control_->step() && control_->last().line > 0;
     program_rows_ = control_->in_program() ? program_rows_ + (is_of_program ? 1 : 0) : 0;

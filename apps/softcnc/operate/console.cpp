@@ -235,11 +235,20 @@ void Console::settle() {
   const runtime::Operator& control = machine_.control();
   if (state_.runs && control.last().line > 0) state_.line = control.last().line;
   if (const runtime::Pause* pause = control.pause()) state_.line = pause->block.source.line;
+  if (probes_ && control.mode() != runtime::MachineMode::run) restore_modes();
   if (state_.runs && !control.in_program()) {
     state_.runs = false;
     journal_.add(EntryKind::note,
                  control.has_completed() ? "the program has ended" : "the program was broken off");
   }
+}
+
+/// However probing has ended; in Hold it has not.
+void Console::restore_modes() {
+  const auto mode = machine_.control().mode();
+  if (mode == runtime::MachineMode::hold || mode == runtime::MachineMode::door) return;
+  probes_ = false;
+  if (mode == runtime::MachineMode::idle) static_cast<void>(machine_.control().line("M72\n"));
 }
 
 void Console::leave_alone(bool at_once) {

@@ -65,6 +65,7 @@ class Console {
   void go_on();
   void quit();
   void settle();
+  void restore_modes();
   void wait_alone();
 
   AttendedMachine& machine_;
@@ -76,6 +77,7 @@ class Console {
   JogKeys jog_keys_;
   double now_ = 0;                     // s
   std::optional<double> alone_since_;  // s: at rest, with nobody there
+  bool probes_ = false;                // with the modes of before kept by M70
   bool is_alone_ = false, ends_at_once_ = false, is_over_ = false;
 };
 

@@ -58,7 +58,7 @@ std::span<const Console::Binding> Console::bindings() noexcept {
        }},
       {'p', "p", "probe, and touch off there",
        [](Console& c) {
-         c.open({Prompt::For::probe, "probe over mm, as Z-20, or Z-20=0 to touch off at 0: "});
+         c.open({Prompt::For::probe, "probe (Z-20=0, bore X9 Y9, boss X9 Y9 Z5, corner X9 Y9): "});
        }},
       {'w', "w", "work offsets", [](Console& c) { c.show(Page::work); }},
       {'o', "o", "tools and their offsets", [](Console& c) { c.show(Page::tools); }},

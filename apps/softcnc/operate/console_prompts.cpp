@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "operate/console.hpp"
+#include "operate/probing_cycles.hpp"
 #include "operate/views.hpp"
 
 namespace softcnc::app {
@@ -102,33 +103,16 @@ bool Console::take_place(const std::string& text,
   return false;
 }
 
-/// "Z-20" or "Z-20=0": the distance to probe over, and the work coordinate of what is touched.
-/// Where the tip was at the contact gets that coordinate, and the machine goes back.
 void Console::take_probe(const std::string& text) {
-  const std::size_t equals = std::min(text.find('='), text.size());
-  const AxisWords way = axis_words(words_of(text.substr(0, equals)));
-  const auto wanted = equals < text.size() ? parse_mm(text.substr(equals + 1)) : std::nullopt;
-  if (machine_.control().in_motion()) {
-    journal_.add(EntryKind::action, "probe " + text);
-    return journal_.add(EntryKind::fault, "not while the machine moves");
-  }
-  const bool is_wrong = !way.wrong.empty() || way.named() != 1 || (equals < text.size() && !wanted);
-  if (is_wrong) {
-    journal_.add(EntryKind::action, "probe " + text);
-    return journal_.add(EntryKind::fault, "one axis and how far in mm, as Z-20, or Z-20=0");
-  }
-  const auto axis = static_cast<std::size_t>(
-      std::find_if(way.mm.begin(), way.mm.end(), [](const auto& mm) { return mm.has_value(); }) -
-      way.mm.begin());
-  const char letter = kAxisLetters[axis];
-  std::string lines = fmt::format("M70\nG21 G94 G91 G38.2 {}{} F100\nG90\n", letter, *way.mm[axis]);
-  if (wanted)
-    lines +=
-        fmt::format("G10 L20 P0 {}[{} + #{} - #{}]\n", letter, *wanted, 5420 + axis, 5061 + axis);
-  const Axis& travel = machine_.machine().axes[axis];
-  const double begin = machine_.control().position()[static_cast<Eigen::Index>(axis)];
-  lines += fmt::format("G53 G00 {}{}\nM72", letter, std::clamp(begin, travel.min, travel.max));
-  requests_.line(lines);
+  const runtime::Operator& control = machine_.control();
+  journal_.add(EntryKind::action, "probe " + text);
+  if (control.in_motion()) return journal_.add(EntryKind::fault, "not while the machine moves");
+  const Machine& machine = machine_.machine();
+  const auto tool = machine.tools.find(control.state().loaded_tool.value_or(0));
+  const double radius = tool == machine.tools.end() ? machine.probe.radius : tool->second.radius;
+  const auto lines = probing_lines(text, {control.position(), radius}, machine);
+  if (!lines) return journal_.add(EntryKind::fault, lines.error());
+  probes_ = requests_.line("M70\n" + *lines);
 }
 
 }  // namespace softcnc::app

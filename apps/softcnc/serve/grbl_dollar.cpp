@@ -30,6 +30,20 @@ std::optional<double> number_of(std::string_view text) {
   return whole ? std::optional(number) : std::nullopt;
 }
 
+/// Why the words of a jog are none, by grbl's number.
+const char* error_of_jog(int error) noexcept {
+  switch (error) {
+    case GrblError::kNoFeed:
+      return "needs a feed: F, above 0";
+    case GrblError::kRepeated:
+      return "has a word twice";
+    case GrblError::kNoNumber:
+      return "has a word without a number";
+    default:
+      return "takes X Y Z, F, G20, G21, G53, G90 and G91";
+  }
+}
+
 }  // namespace
 
 void GrblControl::dollar(const std::string& line) {
@@ -110,14 +124,19 @@ void GrblControl::jog(std::string_view words) {
   const bool may = mode == MachineMode::jog || (mode == MachineMode::idle && !is_locked());
   if (!may) return say_error(GrblError::kNotIdle);
   const GrblWords read = read_words(words);
-  if (!read.is_all) return say_error(GrblError::kNoNumber);
-  int error = 0;
-  const auto jog = jog_of(read.words, error);
-  if (!jog) return say_error(error);
+  int error = GrblError::kNoNumber;
+  const auto jog = read.is_all ? jog_of(read.words, error) : std::nullopt;
+  if (!jog) {
+    say(fmt::format("[MSG:a jog {}]", error_of_jog(error)));
+    return say_error(error);
+  }
   if (jog->distance.isZero(0)) return say("ok");  // it is there
   journal_.add(EntryKind::action, fmt::format("jog {}", words));
   const Status taken = machine_.control().jog(*jog);
-  if (!taken) return refuse(taken.error());
+  if (!taken) {
+    journal_.add(taken.error());
+    return refuse(taken.error());
+  }
   say("ok");
 }
 

@@ -61,6 +61,9 @@ class Backend {
   /// Returns how late inputs may come, s: in so much later a feedback than that of the setpoint at
   /// which the machine was. Feedback::switched and touched are where it was.
   virtual double delay() const noexcept { return 0; }
+  /// From now on setpoints come no more than `lead` s before they are due: fewer of them have been
+  /// planned when an input changes.
+  virtual void follow(double lead) noexcept { static_cast<void>(lead); }
   /// From now on this tip may touch what the machine file states, where contacts are simulated.
   virtual void touch_with(const ProbeTip& tip) { static_cast<void>(tip); }
   /// Returns the inputs, and what is wrong, while nothing is exchanged.

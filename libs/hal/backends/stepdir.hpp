@@ -37,6 +37,9 @@ class StepDir final : public Backend {
   bool has_home_switches() const noexcept override { return inputs_ && inputs_->has_homes(); }
   bool has_probe() const noexcept override { return inputs_ && inputs_->has_probe(); }
   double delay() const noexcept override { return inputs_ ? inputs_->delay() : 0; }
+  void follow(double lead) noexcept override {
+    if (inputs_) inputs_->follow(lead);
+  }
   Feedback look() noexcept override;
   std::optional<Diagnostic> trouble() const override;
   Status recover() override;

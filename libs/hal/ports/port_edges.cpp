@@ -32,13 +32,20 @@ PortEdges::PortEdges(const Machine& machine, std::unique_ptr<PortPlayer> player)
       player_(std::move(player)),
       places_(words_to_keep(machine, player_->ahead())),
       period_(machine.control.period),
+      lead_(player_->ahead()),
       has_homes_(has_home_pins(machine)),
       has_probe_(machine.parallel_port.probe_pin != 0) {}
 
 /// What waits is played first; the next row may still be at its beginning.
 double PortEdges::delay() const noexcept {
   constexpr double kPeriods = 4;
-  return player_->ahead() + kPeriods * period_;
+  return lead_ + kPeriods * period_;
+}
+
+void PortEdges::follow(double lead) noexcept {
+  if (lead == lead_) return;
+  lead_ = lead;
+  player_->follow(lead);
 }
 
 bool PortEdges::next_change(Change& change) noexcept {

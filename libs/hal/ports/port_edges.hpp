@@ -31,6 +31,7 @@ class PortEdges final : public EdgeSink, private EdgeInputs {
   bool has_homes() const noexcept override { return has_homes_; }
   bool has_probe() const noexcept override { return has_probe_; }
   double delay() const noexcept override;
+  void follow(double lead) noexcept override;
   bool next_change(Change& change) noexcept override;
   const Counts& counts() const noexcept override { return places_.now(); }
   Alarm alarm() const noexcept override { return player_->alarm(); }
@@ -46,7 +47,7 @@ class PortEdges final : public EdgeSink, private EdgeInputs {
   std::vector<PortWord> words_;
   std::unique_ptr<PortPlayer> player_;
   PortPlaces places_;
-  double period_;  // s
+  double period_, lead_;  // s
   bool has_homes_, has_probe_;
 };
 

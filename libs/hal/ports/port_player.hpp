@@ -31,6 +31,8 @@ class PortPlayer {
 
   /// Returns how many s of words may wait.
   virtual double ahead() const noexcept = 0;
+  /// From now on words come no more than `lead` s before they are due.
+  virtual void follow(double lead) noexcept = 0;
   /// Takes the next change of the inputs; false where there is none.
   virtual bool next_change(PortChange& change) noexcept = 0;
   /// Returns what has ended the player, or Alarm::none, and describes it.

@@ -29,6 +29,8 @@ class EdgeInputs {
   virtual bool has_probe() const noexcept = 0;
   /// Returns how late a change may come, s.
   virtual double delay() const noexcept = 0;
+  /// From now on edges come no more than `lead` s before they are due.
+  virtual void follow(double lead) noexcept = 0;
   /// Takes the next change; false where there is none.
   virtual bool next_change(Change& change) noexcept = 0;
   /// Returns the steps of all edges so far.

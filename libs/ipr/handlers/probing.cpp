@@ -121,6 +121,18 @@ void warn_of_contact(Task& task, const Path& path) {
   }
 }
 
+namespace {
+
+/// Why nothing tells a machine that moves by a port of contacts.
+std::string why_unread(const Machine& machine) {
+  const BackendKind backend = machine.control.backend;
+  if (backend == BackendKind::parport && machine.parallel_port.probe_pin != 0)
+    return "only softcnc operate and softcnc serve read backend.parport.probe_pin";
+  return "the backend " + std::string(name(backend)) + " has no input for a probe";
+}
+
+}  // namespace
+
 std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found) {
   if (found == ProbeFound::already) return ProbeRefusal{Code::SC2393, is_so_already(code)};
   if (found == ProbeFound::nothing && probing_of(code).must)
@@ -130,13 +142,9 @@ std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found) {
 
 void probe(Task& task) {
   if (task.code.group == Group::motion) begin_motion(task);
-  const BackendKind backend = task.machine.control.backend;
-  if (moves_machine(backend) && task.options.contacts == Contacts::stated) {
+  if (moves_machine(task.machine.control.backend) && task.options.contacts == Contacts::stated) {
     return task.out.report(Code::SC2114, task.word.pos,
-                           code_name(task.code) +
-                               " is refused: without an operator nothing reads "
-                               "a probe on the backend " +
-                               std::string(name(backend)));
+                           code_name(task.code) + " is refused: " + why_unread(task.machine));
   }
   if (!task.values.letters().has_any(kAxisWords)) {
     return task.out.report(Code::SC2005, task.word.pos,

@@ -28,6 +28,15 @@ bool Homing::is_possible(const Machine& machine) noexcept {
   return std::any_of(machine.axes.begin(), machine.axes.end(), has_home_switch);
 }
 
+AxisVector Homing::rest_place() const noexcept {
+  AxisVector place = found_place();
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+    if (has_home_switch(axis)) place[i] = axis.home.rest();
+  }
+  return place;
+}
+
 bool Homing::finds_all() const noexcept {
   return std::all_of(machine_.axes.begin(), machine_.axes.end(),
                      [](const Axis& axis) { return !axis.present || has_home_switch(axis); });

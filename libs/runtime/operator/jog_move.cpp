@@ -29,12 +29,15 @@ bool leaves_travel(double from, double to, const Axis& axis) {
   return (to > axis.max && to > from) || (to < axis.min && to < from);
 }
 
+constexpr double kShown = 1e4;  // parts of a mm
+
 Diagnostic beyond(int axis, double to, const Machine& machine) {
   const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
   return {.code = Code::SC4001,
-          .message = std::string("a jog to ") + letter + hal::number_text(to) +
-                     " leaves the travel " + letter + hal::number_text(axis_of(machine, axis).min) +
-                     " to " + letter + hal::number_text(axis_of(machine, axis).max)};
+          .message = std::string("a jog to ") + letter +
+                     hal::number_text(std::round(to * kShown) / kShown) + " leaves the travel " +
+                     letter + hal::number_text(axis_of(machine, axis).min) + " to " + letter +
+                     hal::number_text(axis_of(machine, axis).max)};
 }
 
 }  // namespace

@@ -122,6 +122,9 @@ class Operator {
   bool in_motion() const noexcept {
     return moving() || jog_ || mode_ == MachineMode::run || mode_ == MachineMode::home;
   }
+  /// Returns whether a motion ends where an input changes: how soon, depends on how much of it has
+  /// been planned by then.
+  bool awaits_input() const noexcept { return homing_ || probing_; }
   /// Returns whether a program runs or is held.
   bool in_program() const noexcept { return running_ && is_program_; }
   /// Returns whether the last home() has found its switches.

@@ -137,7 +137,9 @@ void Operator::home_on() {
   homed_ = true;
   known_ = known_ || homing.finds_all();
   stand_at(homing.found_place());
-  mode_ = mode_at_rest();
+  begin_by_hand(free_machine_);
+  move_by_hand(homing.rest_place(), kSlowJog);
+  jog_->rest();
 }
 
 /// The program waits for what the machine finds.

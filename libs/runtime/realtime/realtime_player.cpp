@@ -32,6 +32,7 @@ Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
 
 Status RealtimePlayer::start() {
   words_.emplace(words_in(ahead_, timing_));
+  follow(lead_);
   written_ = 0;
   alarm_ = Alarm::none;
   ended_ = false;
@@ -42,6 +43,11 @@ Status RealtimePlayer::start() {
   }
   thread_ = std::thread([this] { run(); });
   return {};
+}
+
+void RealtimePlayer::follow(double lead) noexcept {
+  lead_ = lead;
+  words_->begin_at(words_in(lead, timing_) / 2);
 }
 
 Status RealtimePlayer::recover() {
@@ -56,6 +62,7 @@ RealtimePlayer::RealtimePlayer(const Machine& machine,
     : timing_(hal::port_timing(machine)),
       tolerance_(std::llround(ns_from_s(machine.control.period))),
       ahead_(ahead),
+      lead_(ahead),
       output_(std::move(registers), machine),
       listener_(std::move(listener)) {
   listener_.holds_port(this);

@@ -44,6 +44,7 @@ class RealtimePlayer final : public hal::PortPlayer {
   Alarm play(std::span<const hal::PortWord> words) noexcept override;
   void rest() noexcept override;
   double ahead() const noexcept override { return ahead_; }
+  void follow(double lead) noexcept override;
   bool next_change(hal::PortChange& change) noexcept override { return changes_.take(change); }
   Alarm alarm() const noexcept override { return alarm_; }
   Diagnostic trouble() const override { return output_.diagnostic(alarm_); }
@@ -68,7 +69,7 @@ class RealtimePlayer final : public hal::PortPlayer {
 
   hal::PortTiming timing_;
   std::int64_t tolerance_;  // ns: later than this is an overrun
-  double ahead_;            // s
+  double ahead_, lead_;     // s
   hal::PortOutput output_;
   std::optional<RealtimeQueue<hal::PortWord>> words_;
   std::int64_t written_ = 0;  // of them

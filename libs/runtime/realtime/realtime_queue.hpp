@@ -10,18 +10,23 @@
 
 namespace softcnc::runtime {
 
-/// Motion begins when the queue is half full, or all there is before a rest has come. Items are
-/// numbered as they are pushed, from 0 on, modulo 2^32; as long as they wait they can be taken
-/// back, and others are pushed in their place.
+/// Motion begins when the queue is half full, or as begin_at() says, or all there is before a rest
+/// has come. Items are numbered as they are pushed, from 0 on, modulo 2^32; as long as they wait
+/// they can be taken back, and others are pushed in their place.
 template <typename T>
 class RealtimeQueue {
  public:
   using Number = std::uint32_t;
 
   explicit RealtimeQueue(std::size_t capacity)
-      : capacity_(capacity), items_(std::bit_ceil(std::max(capacity, std::size_t{2}))) {}
+      : capacity_(capacity),
+        begins_at_(capacity / 2),
+        items_(std::bit_ceil(std::max(capacity, std::size_t{2}))) {}
 
   std::size_t capacity() const noexcept { return capacity_; }
+
+  /// Motion begins when so many items wait.
+  void begin_at(std::size_t waiting) noexcept { begins_at_ = waiting; }
 
   /// Adds an item; false if the queue is full. Realtime.
   bool push(const T& item) noexcept {
@@ -102,10 +107,11 @@ class RealtimeQueue {
   bool may_move() const noexcept {
     const Counts counts = load();
     const Number to_rest = rest_at_.load() - counts.taken;
-    return counts.waiting() >= capacity_ / 2 || (to_rest > 0 && to_rest <= counts.waiting());
+    return counts.waiting() >= begins_at_ || (to_rest > 0 && to_rest <= counts.waiting());
   }
 
   std::size_t capacity_;
+  std::atomic<std::size_t> begins_at_;
   std::vector<T> items_;
   std::atomic<std::uint64_t> counts_{0};
   std::atomic<Number> rest_at_{0};  // items after which it may stand
