@@ -260,3 +260,59 @@ TEST_CASE("a jog in Hold leaves the spindle at the speed that its override gives
   REQUIRE(desk.operated.resume());
   CHECK(speeds(600) == std::set<double>{3000});
 }
+
+TEST_CASE("coolant by hand stays until the program switches it", "[runtime][operator]") {
+  Desk desk(BackendKind::none);
+  desk.operated.set_coolant(false, true);
+  CHECK(desk.operated.outputs().flood);
+  REQUIRE(desk.operated.start("G21 G90\nG01 X10 F600\nM09\nX20\nM07\nX30\nM30\n"));
+  desk.run(500);
+  CHECK(desk.operated.outputs().flood);  // as it was
+  desk.operated.set_coolant(true, false);
+  desk.run(5);
+  CHECK(desk.operated.outputs() == Outputs{0, true, false});
+  CHECK(desk.operated.last().outputs.mist);
+  desk.run(1500, [&] { return desk.operated.position().x() > 15; });
+  CHECK(desk.operated.outputs() == Outputs{});
+  desk.operated.set_coolant(true, true);
+  desk.run(5);
+  REQUIRE(desk.operated.hold());
+  desk.run(500);
+  CHECK(desk.operated.outputs() == Outputs{0, true, true});
+  REQUIRE(desk.operated.door());
+  desk.operated.set_coolant(true, true);  // not behind an open door
+  CHECK(desk.operated.outputs() == Outputs{});
+  desk.operated.door_closed();
+  REQUIRE(desk.operated.resume());
+  desk.run(20);
+  CHECK(desk.operated.outputs() == Outputs{0, true, true});
+  desk.settle();
+  CHECK(desk.operated.has_completed());
+}
+
+TEST_CASE("in Hold the spindle stops by hand, and resume waits for its speed",
+          "[runtime][operator]") {
+  Machine machine = machine_to_operate(BackendKind::none, 0);
+  machine.spindle.acceleration = 1000;
+  Desk desk(machine);
+  REQUIRE(desk.operated.start("G21 G90\nS1000 M03\nG01 X50 F600\nM30\n"));
+  desk.run(2500);
+  desk.operated.toggle_spindle();  // not in Run
+  CHECK(desk.operated.outputs().spindle_rpm == 1000);
+  REQUIRE(desk.operated.hold());
+  desk.run(500);
+  desk.operated.toggle_spindle();
+  CHECK(desk.operated.outputs().spindle_rpm == 0);
+  desk.operated.toggle_spindle();
+  CHECK(desk.operated.outputs().spindle_rpm == 1000);
+  desk.operated.toggle_spindle();
+  const AxisVector held = desk.operated.position();
+  REQUIRE(desk.operated.resume());
+  CHECK(desk.operated.outputs().spindle_rpm == 1000);
+  desk.run(900);
+  CHECK(desk.operated.position() == held);  // it takes a second
+  desk.run(500);
+  CHECK(desk.operated.position().x() > held.x());
+  desk.settle();
+  CHECK(desk.operated.has_completed());
+}

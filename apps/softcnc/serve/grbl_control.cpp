@@ -85,6 +85,7 @@ void GrblControl::take(std::string_view bytes, double now) {
 
 void GrblControl::act(RealTime byte) {
   const Requests::Overrides& now = requests_.overrides();
+  const Outputs& on = machine_.control().outputs();
   switch (byte) {
     case RealTime::report:
       return say(report());
@@ -128,10 +129,12 @@ void GrblControl::act(RealTime byte) {
       return requests_.override_spindle(now.spindle + kFine);
     case RealTime::spindle_less_1:
       return requests_.override_spindle(now.spindle - kFine);
-    case RealTime::spindle_stop:  // and coolant: a program switches them
+    case RealTime::spindle_stop:
+      return machine_.control().toggle_spindle();
     case RealTime::flood:
+      return machine_.control().set_coolant(on.mist, !on.flood);
     case RealTime::mist:
-      return;
+      return machine_.control().set_coolant(!on.mist, on.flood);
   }
 }
 

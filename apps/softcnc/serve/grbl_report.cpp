@@ -208,10 +208,11 @@ std::string GrblReports::modes(const AttendedMachine& machine) const {
   constexpr const char* kPlanes[] = {"G17", "G18", "G19"};
   constexpr const char* kFeeds[] = {"G94", "G93", "G95"};
   const std::string motion = modal.motion == nullptr ? "G0" : code_text(*modal.motion);
-  const std::string coolant = modal.mist && modal.flood ? "M7 M8"
-                              : modal.mist              ? "M7"
-                              : modal.flood             ? "M8"
-                                                        : "M9";
+  const Outputs& on = machine.control().outputs();
+  const std::string coolant = on.mist && on.flood ? "M7 M8"
+                              : on.mist           ? "M7"
+                              : on.flood          ? "M8"
+                                                  : "M9";
   const int tool = modal.tool.value_or(modal.state.loaded_tool.value_or(0));
   return fmt::format("[GC:{} {} {} {} {} {} {} {} T{} F{:.0f} S{:.0f}]", motion,
                      hal::system_name(modal.state.active),

@@ -36,7 +36,7 @@ class Interpolator {
   void set_feed_override(double feed_override) noexcept { feed_override_ = feed_override; }
   double feed_override() const noexcept { return feed_override_; }
 
-  /// Sets what is switched on before the first setpoint.
+  /// Sets what is switched on from the next setpoint on.
   void set_outputs(const Outputs& outputs) noexcept { last_.outputs = outputs; }
   /// Returns what the blocks so far have switched on.
   const Outputs& outputs() const noexcept { return last_.outputs; }

@@ -81,8 +81,8 @@ class Operator {
   Status reset();
   /// The door is open: comes to rest; spindle and coolant off.
   Status door();
-  /// The door is closed again: resume() is possible.
-  void door_closed() noexcept { door_open_ = false; }
+  /// The door is closed again: resume() is possible, unless an input of the backend says otherwise.
+  void door_closed() noexcept { door_open_ = door_input_; }
   /// Leaves Alarm. Errors: SC5080; SC5031 to SC5033 where an input of the port is still on.
   Status unlock();
   /// Begins or ends that lines are only judged.
@@ -100,6 +100,11 @@ class Operator {
   void set_feed_override(double feed_override) noexcept;
   void set_rapid_override(double rapid_override) noexcept;
   void set_spindle_override(double spindle_override) noexcept;
+  /// Switches the coolant, until the program does; in Idle, Run, Hold and Jog.
+  void set_coolant(bool mist, bool flood);
+  /// In Hold, at rest: stops the spindle, or lets it turn again; resume() does that, too, and waits
+  /// for its speed.
+  void toggle_spindle();
   /// Count for the lines that have not been read yet: a running program is read ahead.
   void set_block_skip(bool on) noexcept;
   void set_optional_stop(bool on) noexcept;

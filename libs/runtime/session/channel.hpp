@@ -91,6 +91,13 @@ class Channel {
   void forget_passed(double until = ipo::kUnlimited);
   /// Returns what is on at the last setpoint, or at the pause where the machine rests.
   const Outputs& outputs() const noexcept { return interpolator_.outputs(); }
+  /// Coolant by hand: up to the next block that switches it.
+  void set_coolant(bool mist, bool flood) noexcept {
+    Outputs outputs = interpolator_.outputs();
+    outputs.mist = mist;
+    outputs.flood = flood;
+    interpolator_.set_outputs(outputs);
+  }
   /// Returns whether the speed of the spindle is as programmed, whatever its override.
   bool keeps_spindle_speed() const noexcept {
     const Move* move = queue_.empty() ? nullptr : queue_.front().move();

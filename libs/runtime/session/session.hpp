@@ -128,6 +128,9 @@ class Session {
   /// Everything is off, whatever the program has switched, until switch_on().
   void switch_off() noexcept { off_ = true; }
   void switch_on() noexcept { off_ = false; }
+  bool is_off() const noexcept { return off_; }
+  /// Switches the coolant, until the program does.
+  void set_coolant(bool mist, bool flood) noexcept { channel_->set_coolant(mist, flood); }
   /// Returns the pause at which the session waits for resume(); null: at none.
   const Pause* pause() const noexcept {
     return status_ == SessionStatus::paused ? &channel_->feeder().pauses().front() : nullptr;
