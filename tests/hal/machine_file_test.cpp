@@ -587,6 +587,12 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(refused_machine(port + "y_home_pin = 12\nbackend.parport.z_home_pin = 12")
               .find("backend.parport.z_home_pin = 12 is the pin of backend.parport.y_home_pin") !=
           std::string::npos);
+    const std::string shared =
+        "x_home_pin = 12\nbackend.parport.y_home_pin = 12\nbackend.parport.z_home_pin = 12\n"
+        "axis.x.home.order = 1\naxis.y.home.order = 2\naxis.z.home.order = ";
+    CHECK(refused_machine(port + shared + "2\n").find("z_home_pin = 12 is the pin of") !=
+          std::string::npos);
+    CHECK(refused_machine(port + shared + "3\n").find("SC7071") == std::string::npos);
     CHECK(refused_machine(port + "probe_pin = 10\n")
               .find("backend.parport.probe_pin = 10 is the pin of backend.parport.estop_pin") !=
           std::string::npos);

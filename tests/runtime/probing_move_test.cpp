@@ -168,3 +168,93 @@ TEST_CASE("a probing move that is aborted ends the program where the machine res
   CHECK(desk.errors.empty());
   desk.check_limits();
 }
+
+TEST_CASE("wherever a probing move is held, it goes on to its contact or its end",
+          "[runtime][probing]") {
+  for (const double top : {-3.0, -30.0})
+    for (int instant = 205; instant < 900; instant += 23) {
+      CAPTURE(top, instant);
+      Desk desk(with_plane(top));
+      REQUIRE(desk.operated.start("G21 G90\nG38.3 Z-5 F1200\nG91 G00 X[3 + #5070] Y#5063\nM30\n"));
+      desk.run(instant);
+      if (desk.operated.mode() != MachineMode::run || desk.operated.position()[0] != 0) break;
+      REQUIRE(desk.operated.hold());
+      desk.run(400);
+      REQUIRE(desk.operated.mode() == MachineMode::hold);
+      REQUIRE(desk.operated.resume());
+      desk.settle();
+      CHECK(desk.errors.empty());
+      CHECK(desk.operated.has_completed());
+      CHECK(desk.operated.position()[0] == Approx(top == -3 ? 4 : 3));
+      if (top == -3) CHECK(desk.operated.position()[1] == Approx(-3).margin(0.01));
+      desk.check_limits();
+    }
+}
+
+TEST_CASE("what a jog in Hold touches is no contact of the probing move", "[runtime][probing]") {
+  Desk desk(with_plane(-10));
+  REQUIRE(desk.operated.start("G21 G90\nG00 Z-8\nG38.2 X20 F300\nG00 X50\nM30\n"));
+  desk.run(2500);
+  REQUIRE(desk.operated.hold());
+  desk.run(400);
+  REQUIRE(desk.operated.jog({AxisVector(0, 0, -3), 20}));
+  desk.run(1000);
+  CHECK(desk.operated.position()[2] == Approx(-11));
+  REQUIRE(desk.operated.resume());
+  desk.settle();
+  CHECK(desk.errors == std::vector{Code::SC2394});
+  CHECK(desk.operated.position()[0] == Approx(20));
+}
+
+TEST_CASE("a probing move beyond the travel is an error of its line, and nothing follows",
+          "[runtime][probing]") {
+  for (const char* code : {"G38.2", "G38.3"}) {
+    Desk desk(with_plane(-10));
+    REQUIRE(desk.operated.start(std::string("G21 G90\nG00 X5\n") + code +
+                                " X5000 F300\nG00 X50\nM30\n"));
+    desk.settle();
+    CHECK(desk.errors == std::vector{Code::SC4001});
+    CHECK(desk.messages.front().find("softcnc:3:1: error: ") == 0);
+    CHECK(desk.operated.position()[0] == Approx(5));
+    CHECK_FALSE(desk.operated.has_completed());
+  }
+}
+
+TEST_CASE("behind a door a probing move waits for the spindle", "[runtime][probing]") {
+  Machine machine = with_plane(-10);
+  machine.spindle.acceleration = 1000;
+  Desk desk(machine);
+  REQUIRE(desk.operated.start("G21 G90\nS1000 M03\nG38.2 Z-20 F120\nM05\nG00 X5\nM30\n"));
+  desk.run(3000, [&] { return desk.operated.position()[2] < -2; });
+  REQUIRE(desk.operated.door());
+  desk.run(400);
+  const AxisVector held = desk.operated.position();
+  desk.operated.door_closed();
+  REQUIRE(desk.operated.resume());
+  desk.run(900);
+  CHECK(desk.operated.position() == held);
+  CHECK(desk.operated.outputs().spindle_rpm == 1000);
+  desk.settle();
+  CHECK(desk.errors.empty());
+  CHECK(desk.operated.has_completed());
+  CHECK(desk.operated.outputs() == Outputs{});
+}
+
+TEST_CASE("single block stops before a probing move and behind it", "[runtime][probing]") {
+  Desk desk(with_plane(-10));
+  desk.operated.set_single_block(true);
+  REQUIRE(desk.operated.start("G21 G90\nG01 X2 F600\nG38.2 Z-20 F600\nG01 X3\nM30\n"));
+  std::vector<double> x, z;
+  for (int i = 0; i < 10 && desk.operated.mode() != MachineMode::idle; ++i) {
+    desk.settle();
+    x.push_back(desk.operated.position()[0]);
+    z.push_back(std::round(desk.operated.position()[2]));
+    if (desk.operated.mode() == MachineMode::hold) REQUIRE(desk.operated.resume());
+  }
+  CHECK(x.front() == Approx(2));
+  CHECK(z.front() == 0);
+  CHECK(x.back() == Approx(3));
+  CHECK(std::count(z.begin(), z.end(), -10) >= 2);
+  CHECK(x[1] == Approx(2));
+  CHECK(z[1] == -10);
+}

@@ -22,10 +22,9 @@ struct ProbingStart {
 ///
 ///   "Z-20", "Z-20=0"  probes over so many mm, and gives the tip at the contact this coordinate;
 ///                     back to where it began
-///   "bore 30"         from within a bore or pocket about so wide: its centre becomes X0 Y0
-///   "boss 30 8"       from above a boss or block about so wide, so deep down beside it: likewise
-///   "corner X15 Y15"  from before an outer corner: so far along its faces; the corner becomes X0
-///   Y0
+///   "bore X30 Y30"    from within a bore or pocket about so wide: its centre becomes X0 Y0
+///   "boss X60 Y40 Z8" from above a boss or block about so wide, so deep down beside it: likewise
+///   "corner X15 Y15"  from before an outer corner, which becomes X0 Y0: so far along its faces
 ///
 /// Errors: what is wrong with the text.
 tl::expected<std::string, std::string> probing_lines(std::string_view text,

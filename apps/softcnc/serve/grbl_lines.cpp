@@ -57,6 +57,8 @@ void GrblControl::end_wait() {
     locked_ = !machine_.control().has_homed() || !machine_.control().knows_position();
     return locked_ ? say_error(GrblError::kLocked) : say("ok");
   }
+  if (!found_.empty() && misses_contact(found_.front().code)) return miss();
+  if (!found_.empty()) return refuse(found_.front());
   if (probes(waiting_)) {
     reports_.keep_probed(machine_);
     say(reports_.probed());
@@ -66,8 +68,6 @@ void GrblControl::end_wait() {
     say("[MSG:Pgm End]");
     begin_modes();
   }
-  if (!found_.empty() && misses_contact(found_.front().code)) return miss();
-  if (!found_.empty()) return refuse(found_.front());
   say("ok");
 }
 

@@ -66,7 +66,8 @@ class Backend {
   virtual void follow(double lead) noexcept { static_cast<void>(lead); }
   /// From now on this tip may touch what the machine file states, where contacts are simulated.
   virtual void touch_with(const ProbeTip& tip) { static_cast<void>(tip); }
-  /// Returns the inputs, and what is wrong, while nothing is exchanged.
+  /// Returns the inputs, as the last feedback had them or as they are now, and what is wrong, while
+  /// nothing is exchanged.
   virtual Feedback look() noexcept { return {}; }
   /// Returns what an alarm has been about, unless it was one of an axis.
   virtual std::optional<Diagnostic> trouble() const { return std::nullopt; }

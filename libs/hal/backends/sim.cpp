@@ -67,6 +67,8 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
   }
   switches_.read(actual(), feedback);
   touch_.read(actual(), switches_.offset(), feedback);
+  seen_inputs_ = feedback;
+  seen_inputs_.alarm = Alarm::none;
   return feedback;
 }
 

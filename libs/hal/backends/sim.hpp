@@ -33,6 +33,7 @@ class SimulatedMill final : public Backend {
   bool has_home_switches() const noexcept override { return true; }
   bool has_probe() const noexcept override { return touch_.has_bodies(); }
   void touch_with(const ProbeTip& tip) override { touch_.begin(tip); }
+  Feedback look() noexcept override { return seen_inputs_; }
 
   /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
   /// path, actual position (mm), path minus actual (um) and motor current (A).
@@ -71,6 +72,7 @@ class SimulatedMill final : public Backend {
   std::vector<Slide> slides_;
   HomeSwitches switches_;  // of the tables
   SimulatedTouch touch_;
+  Feedback seen_inputs_;  // the last feedback, without its alarm
   std::vector<std::string> columns_;
   double servo_period_;  // s: of the position loop
   int servo_periods_;    // in one period

@@ -171,10 +171,13 @@ void MachineLoader::check_home_pin(int index) {
   const auto& pins = loaded_.machine.parallel_port.home_pin;
   const auto i = static_cast<std::size_t>(index);
   if (!axes[i].present) return;
-  for (std::size_t before = 0; before < i; ++before)
-    if (axes[before].present && pins[before] != 0 && pins[before] == pins[i] &&
-        axes[before].home.order != axes[i].home.order)
-      return;
+  bool shares = false;
+  for (std::size_t before = 0; before < i; ++before) {
+    if (!axes[before].present || pins[before] == 0 || pins[before] != pins[i]) continue;
+    shares = axes[before].home.order != axes[i].home.order;
+    if (!shares) break;
+  }
+  if (shares) return;
   check_pin(axis_name(index) + "_home_pin", pins[i], is_input_pin);
 }
 

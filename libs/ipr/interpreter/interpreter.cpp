@@ -416,6 +416,9 @@ void Interpreter::keep_probed_point() {
 void Interpreter::probed(const ProbeAnswer& answer) {
   const AwaitedProbe awaited = *std::exchange(modal_.awaited, std::nullopt);
   modal_.position = answer.rest;
+  if (answer.refusal)
+    return diagnostics_.report(answer.refusal->code, awaited.word, answer.refusal->message,
+                               awaited.line);
   if (auto refused = refusal_of(*awaited.code, answer.found)) {
     diagnostics_.report(refused->code, awaited.word, std::move(refused->message), awaited.line);
     return;

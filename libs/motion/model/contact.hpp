@@ -57,6 +57,7 @@ struct ProbeAnswer {
   ProbeFound found = ProbeFound::nothing;
   AxisVector place = AxisVector::Zero();  // mm, machine coordinates: of the contact or release
   AxisVector rest = AxisVector::Zero();   // mm: where the machine rests now
+  std::optional<Diagnostic> refusal{};    // why it has not moved at all
 };
 
 /// Returns how far along a line, mm, the control point is where that happens; nothing if it does

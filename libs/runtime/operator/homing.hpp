@@ -42,7 +42,8 @@ class Homing {
   /// Returns where the machine stands once all switches are found, mm, machine coordinates; of an
   /// axis without one, where it was taken to be.
   AxisVector found_place() const noexcept { return place_ + offset_; }
-  /// Returns where it is to rest then, mm, machine coordinates: exactly `back_off` from each switch.
+  /// Returns where it is to rest then, mm, machine coordinates: exactly `back_off` from each
+  /// switch.
   AxisVector rest_place() const noexcept;
   /// Returns whether every axis of the machine has been found.
   bool finds_all() const noexcept;

@@ -42,6 +42,7 @@ void Operator::begin_session(const MachineState& state) {
   running_ = is_program_ = false;
   left_.reset();
   probing_.reset();
+  probes_ = false;
   returning_ = false;
   to_change_.reset();
 }
@@ -140,6 +141,7 @@ std::optional<Row> Operator::step() {
 void Operator::look_around() {
   const Feedback seen = backend_.look();
   take_door(seen.door);
+  if (probing_ && !jog_) probing_->sees_at_rest(seen);
   if (seen.alarm != Alarm::none && mode_ != MachineMode::alarm) fail(seen);
 }
 
@@ -176,8 +178,8 @@ std::optional<Row> Operator::step_of(Session& session) {
   begun_ = true;
   follow_outputs();
   const Feedback& feedback = row->feedback;
-  if (jog_ && ((homing_ && homing_->sees(feedback)) || (probing_ && probing_->sees(feedback))))
-    jog_->abort();
+  const bool finds = homing_ ? homing_->sees(feedback) : probes_ && probing_->sees(feedback);
+  if (jog_ && finds) jog_->abort();
   if (feedback.alarm == Alarm::none) {
     take_door(feedback.door);
     return row;
@@ -202,7 +204,7 @@ void Operator::settle_jog() {
   if (rests_in_) return ended();
   if (to_change_ && (last_.position - *to_change_).norm() <= kSamePlace) to_change_.reset();
   if (homing_) return home_on();
-  if (probing_ && !returning_ && mode_ == MachineMode::run) {
+  if (std::exchange(probes_, false) && mode_ == MachineMode::run) {
     const Probing probing = *std::exchange(probing_, std::nullopt);
     return session_->probed(probing.answer(last_.position));
   }
@@ -217,7 +219,7 @@ void Operator::settle_program() {
   if (session_->status() == SessionStatus::paused && !rests_in_) {
     last_ = session_->last();
     follow_outputs();
-    if (mode_ != MachineMode::run) return;
+    if (mode_ != MachineMode::run || waits_ > 0) return;
     if (session_->probe() != nullptr) return begin_probing();
     mode_ = MachineMode::hold;
     if (is_tool_change(*session_->pause())) change_tool();

@@ -227,7 +227,8 @@ class Operator {
   std::optional<Session> judged_;            // in Check
   AxisVector jog_end_ = AxisVector::Zero();  // mm: of the last one that was requested
   std::optional<Homing> homing_;             // its legs are jogs
-  std::optional<Probing> probing_;           // its move is one, too
+  std::optional<Probing> probing_;           // its move is one, too,
+  bool probes_ = false;                      // and it is the present one
   bool locked_ = false;                      // it has begun in Alarm, and not come to its end
   OpenText open_;
   Setpoint last_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ipo/path/travel.hpp"
 #include "runtime/operator/operator.hpp"
 #include "runtime/operator/refusal.hpp"
 
@@ -48,6 +49,7 @@ Status Operator::jog(const Jog& jog) {
                                             known_ ? machine_ : free_machine_);
   if (!to) return tl::make_unexpected(to.error());
   if (mode_ == MachineMode::hold && running_ && !left_) left_ = last_.position;
+  if (probing_) probing_->begin_again();
   if (mode_ == MachineMode::idle) mode_ = MachineMode::jog;
   move_by_hand(*to, slow ? std::min(jog.feed, kSlowJog) : jog.feed);
   return {};
@@ -144,14 +146,21 @@ void Operator::home_on() {
 
 /// The program waits for what the machine finds.
 void Operator::begin_probing() {
-  probing_.emplace(*session_->probe(), machine_, backend_.delay());
-  backend_.touch_with(probing_->request().tip);
+  if (!probing_) probing_.emplace(*session_->probe(), machine_, backend_.delay());
+  const ProbeRequest& request = probing_->request();
+  const Move whole{Line(last_.position, request.to), false, request.feed};
+  if (auto outside = ipo::check_travel(whole, machine_)) {
+    probing_.reset();
+    return session_->probed({.rest = last_.position, .refusal = std::move(outside)});
+  }
+  backend_.touch_with(request.tip);
   probe_on();
 }
 
 /// From where the machine rests, be it in the middle of the move.
 void Operator::probe_on() {
   begin_by_hand(machine_);
+  probes_ = true;
   jog_end_ = probing_->request().to;
   if (!probing_->has_ended())
     for (Block& block : probing_->blocks(last_.position)) jog_->feed(std::move(block));

@@ -23,6 +23,11 @@ class Probing {
   std::vector<Block> blocks(const AxisVector& place);
   /// Takes the feedback of a row. Returns whether the move is to end as soon as the limits allow.
   bool sees(const Feedback& feedback) noexcept;
+  /// Takes the inputs of a machine that rests in the middle of the move: it may have come there
+  /// later than its rows.
+  void sees_at_rest(const Feedback& feedback) noexcept;
+  /// The machine has been moved by hand: it is looked once more whether the probe touches already.
+  void begin_again() noexcept { begun_ = false; }
   /// Returns whether sees() has ended it.
   bool has_ended() const noexcept { return answer_.found != ProbeFound::nothing; }
   /// Returns what it has found, where the machine rests at `place`, mm.
@@ -31,10 +36,15 @@ class Probing {
   const ProbeRequest& request() const noexcept { return request_; }
 
  private:
+  bool is_so(const Feedback& feedback) const noexcept {
+    return feedback.probe == (request_.aim == ProbeAim::contact);
+  }
+
   ProbeRequest request_;
   double pause_;             // s
   std::int64_t first_look_;  // rows: the pause before the move
   std::int64_t rows_ = 0;
+  bool begun_ = false;  // it has been seen that the move may begin
   ProbeAnswer answer_;
 };
 

@@ -134,6 +134,7 @@ Alarm RealtimePlayer::look() noexcept {
 }
 
 Alarm RealtimePlayer::play_all() noexcept {
+  if (abandoned_) return Alarm::none;
   Alarm alarm = output_.write(output_.pins().enabled());
   hal::TickPace pace(timing_.base, timing_.shortest, now_ns() + timing_.base);
   while (alarm == Alarm::none && !abandoned_) {

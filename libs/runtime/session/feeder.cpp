@@ -13,12 +13,18 @@
 namespace softcnc::runtime {
 namespace {
 
-bool is_pause(const Block& block) {
+/// Whether the program waits for a person there.
+bool is_stop(const Block& block) {
   const auto* action = std::get_if<Action>(&block.what);
   if (action == nullptr) return false;
   constexpr int kM06 = 6;
-  return action->kind == Action::Kind::stop || action->kind == Action::Kind::probe ||
+  return action->kind == Action::Kind::stop ||
          (action->kind == Action::Kind::tool && action->code == kM06);
+}
+
+bool is_pause(const Block& block) {
+  const auto* action = std::get_if<Action>(&block.what);
+  return is_stop(block) || (action != nullptr && action->kind == Action::Kind::probe);
 }
 
 void end_at_rest(Block& block) {
@@ -134,7 +140,7 @@ bool Feeder::was_single(int number) const noexcept {
 void Feeder::find_pauses(const ipo::TimedBlock& timed) {
   const Block& block = timed.block;
   const bool is_next = last_block_ && *last_block_ != block.number;
-  if (is_next && was_single(*last_block_) && !is_pause(block))
+  if (is_next && was_single(*last_block_) && !is_stop(block))
     pauses_.push_back({block, timed.t_start, true});
   last_block_ = block.number;
   if (is_pause(block) && block.number != answered_)
