@@ -210,7 +210,10 @@ TEST_CASE("a probe reports its contact in machine coordinates", "[apps][serve]")
   const std::string missed = served.say("G38.2 Z-3 F100\n", 10);
   CHECK(count_of(missed, "ALARM:5") == 1);
   CHECK(count_of(missed, "SC2394") == 1);
+  CHECK(count_of(missed, "[PRB:") == 1);
+  CHECK(count_of(missed, "[PRB:0.000,0.000,0.000:0]") == 1);
   CHECK(begins(served.report(), "<Alarm|"));
+  CHECK(served.place()[2] == Approx(-3));  // it has looked
 }
 
 TEST_CASE("a jog stops in time, and drops those that were sent before it", "[apps][serve]") {

@@ -96,6 +96,39 @@ TEST_CASE("what comes of a probing move that finds nothing, or begins in contact
   CHECK(told("G0 X20 Y30\nG1 Z-21 F100\nG38.5 X25\nX26\nM2\n") == into);
 }
 
+TEST_CASE(
+    "in the linuxcnc dialect G38.3 and G38.5 may find at once what they look for, or move nowhere",
+    "[ipr][probing]") {
+  const Machine machine = machine_with_block();
+  const std::string before = "G0 X20 Y30\nG38.2 Z-50 F100\n";
+  for (const auto& [lines, contact] : {std::pair{"G38.3 Z-60\n", 1.0},
+                                       {"G38.4 Z0\nG38.5 Z9\n", 1.0},
+                                       {"G38.4 Z0\nG0 Z2\nG38.3 Z2\n", 0.0}}) {
+    CAPTURE(lines);
+    const auto ends = ends_of(before + lines + "G0 X[100 + #5070]\nM2\n", machine);
+    CHECK(ends.back()[0] == Approx(100 + contact));
+    InterpreterOptions options;
+    options.dialect = Dialect::grbl;
+    CHECK(interpret(before + lines + "M2\n", machine, options).diagnostics.size() == 1);
+  }
+}
+
+TEST_CASE("after a release nothing touches, and after a contact a release has a way to go",
+          "[ipr][probing][property]") {
+  const Machine machine = machine_with_block();
+  std::mt19937 chance(7);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const auto number = [&](double size) { return std::to_string(size * part(chance)); };
+    const std::string program = "G0 X30 Y35 Z" + std::to_string(-15 - 4 * part(chance)) +
+                                "\nG38.2 X[30 + " + number(9) + "] Y[35 + " + number(9) +
+                                "] Z-29 F100\nG38.4 X[30 + " + number(9) +
+                                "] Z-5\nG38.2 X30 Z-29\nG38.5 Z-5\nG38.2 Z-29\nM2\n";
+    CAPTURE(program);
+    CHECK(ends_of(program, machine).size() == 6);
+  }
+}
+
 TEST_CASE("without bodies a probing move ends where it is programmed to, with a note",
           "[ipr][probing][code]") {
   const Interpreted read = interpret("G38.2 Z-5 F100\nG0 Z0\nG38.2 Z-6\nM2\n");

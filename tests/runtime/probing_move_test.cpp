@@ -118,6 +118,11 @@ TEST_CASE("what a probing move does not find is an error of its line, once it ha
   CHECK(found("G91 G38.3 Z-10 F600\nG0 X2\n").empty());
   CHECK(variable(desk, 5070) == 0);
   CHECK(desk.operated.position()[0] == Approx(2));
+  CHECK(found("G90 G38.3 Z-20 F600\n").empty());  // nowhere, and nothing
+  CHECK(variable(desk, 5070) == 0);
+  CHECK(found("G90 G38.5 Z-10 F600\n").empty());  // nothing touches, at once
+  CHECK(variable(desk, 5070) == 1);
+  CHECK(desk.operated.position()[2] == Approx(-20));
   CHECK(found("G90 G38.4 Z-25 F600\n") == std::vector{Code::SC2393});  // nothing touches
   CHECK(desk.operated.position()[2] == Approx(-20));
   CHECK(found("G90 G38.2 Z-40 F600\n").empty());

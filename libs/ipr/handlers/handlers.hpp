@@ -120,7 +120,7 @@ struct ProbeRefusal {
   std::string message;
 };
 /// Returns why this cannot be what a probing code has found; nothing if it may be.
-std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found);
+std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found, Dialect dialect);
 /// Reports a straight move that leads a probe into a body of the machine file: SC2395.
 void warn_of_contact(Task& task, const Path& path);
 

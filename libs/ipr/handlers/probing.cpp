@@ -40,6 +40,16 @@ std::vector<ContactBody> bodies_of(const Machine& machine) {
   return bodies;
 }
 
+/// Whether it is no error to find at once what is looked for, or to move nowhere: as LinuxCNC does,
+/// and grbl does not.
+bool may_find_nothing(const GCode& code, Dialect dialect) noexcept {
+  return dialect == Dialect::linuxcnc && !probing_of(code).must;
+}
+
+bool is_no_move(const AxisVector& from, const AxisVector& to) noexcept {
+  return (to - from).lpNorm<Eigen::Infinity>() < kShortestMove;
+}
+
 /// A move of the plan as it is programmed: it rests at both ends, and no corner of it is rounded.
 Move probing_move(const Task& task, const softcnc::Line& line) {
   Move move = cutting_move(task.modal, line, task.modal.feed);
@@ -52,10 +62,9 @@ Move probing_move(const Task& task, const softcnc::Line& line) {
 
 /// Ends the move at `end`, and keeps where the contact was.
 void end_probing(Task& task, const AxisVector& end, bool contact) {
-  const softcnc::Line line(task.modal.position, end);
-  if (line.length() >= kShortestMove) {
+  if ((end - task.modal.position).norm() >= kShortestMove) {
     task.out.emit(Dwell{0});
-    task.out.emit(probing_move(task, line));
+    task.out.emit(probing_move(task, softcnc::Line(task.modal.position, end)));
   }
   task.modal.position = end;
   task.modal.probed = ProbedPoint{end, contact};
@@ -97,8 +106,10 @@ void probe_to(Task& task, const AxisVector& to) {
   const AxisVector& from = task.modal.position;
   const bool touches_now = touches(bodies, tip, from);
   if (touches_now == (probing.aim == ProbeAim::contact)) {
+    if (may_find_nothing(task.code, task.options.dialect)) return end_probing(task, from, true);
     return task.out.report(Code::SC2393, task.word.pos, is_so_already(task.code));
   }
+  if (is_no_move(from, to)) return end_probing(task, from, false);
   const softcnc::Line line(from, to);
   if (const auto s = contact_along(line, bodies, tip, probing.aim))
     return end_probing(task, line.position(*s), true);
@@ -133,7 +144,8 @@ std::string why_unread(const Machine& machine) {
 
 }  // namespace
 
-std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found) {
+std::optional<ProbeRefusal> refusal_of(const GCode& code, ProbeFound found, Dialect dialect) {
+  if (may_find_nothing(code, dialect)) return std::nullopt;
   if (found == ProbeFound::already) return ProbeRefusal{Code::SC2393, is_so_already(code)};
   if (found == ProbeFound::nothing && probing_of(code).must)
     return ProbeRefusal{Code::SC2394, missed(code)};
@@ -152,7 +164,7 @@ void probe(Task& task) {
   }
   if (!has_feed(task)) return;
   const AxisVector to = end_point(task);
-  if ((to - task.modal.position).lpNorm<Eigen::Infinity>() < kShortestMove) {
+  if (is_no_move(task.modal.position, to) && !may_find_nothing(task.code, task.options.dialect)) {
     return task.out.report(Code::SC2391, task.word.pos,
                            code_name(task.code) + " ends where it begins: it can find no contact");
   }

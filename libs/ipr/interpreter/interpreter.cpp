@@ -419,11 +419,11 @@ void Interpreter::probed(const ProbeAnswer& answer) {
   if (answer.refusal)
     return diagnostics_.report(answer.refusal->code, awaited.word, answer.refusal->message,
                                awaited.line);
-  if (auto refused = refusal_of(*awaited.code, answer.found)) {
+  if (auto refused = refusal_of(*awaited.code, answer.found, options_.dialect)) {
     diagnostics_.report(refused->code, awaited.word, std::move(refused->message), awaited.line);
     return;
   }
-  const bool contact = answer.found == ProbeFound::found;
+  const bool contact = answer.found != ProbeFound::nothing;
   modal_.probed = ProbedPoint{contact ? answer.place : answer.rest, contact};
   keep_probed_point();
   remember();

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kTouch = 2e-9;   // mm: as near as this is a contact
 constexpr double kDigit = 1e-9;   // mm: to which places of contacts are rounded
+constexpr double kClear = 4e-9;   // mm: as far as this is a release, whichever way it is rounded
 constexpr double kFound = 1e-12;  // mm: where a bisection ends
 
 /// The distance of a point from a body, mm; 0 within it.
@@ -68,10 +69,10 @@ std::optional<double> first_release(const Line& line, std::span<const ContactBod
   double released = 0;
   for (std::size_t round = 0; round < bodies.size(); ++round)
     for (const ContactBody& body : bodies) {
-      const auto touching = [&](double s) { return touches(body, tip, line.position(s), 0); };
+      const auto touching = [&](double s) { return touches(body, tip, line.position(s), kClear); };
       if (!touching(released)) continue;
       if (touching(line.length())) return std::nullopt;
-      released = change_between(released, line.length(), touching) + kDigit;
+      released = change_between(released, line.length(), touching);
     }
   return released;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Moves by hand, and homing, whose legs are such moves.
+// What a person does by hand: moves, homing and probing, whose legs are such moves, coolant, and
+// the spindle.
 #include <algorithm>
 #include <utility>
 
@@ -148,8 +149,10 @@ void Operator::home_on() {
 void Operator::begin_probing() {
   if (!probing_) probing_.emplace(*session_->probe(), machine_, backend_.delay());
   const ProbeRequest& request = probing_->request();
-  const Move whole{Line(last_.position, request.to), false, request.feed};
-  if (auto outside = ipo::check_travel(whole, machine_)) {
+  const bool moves = request.to != last_.position;
+  auto outside =
+      moves ? ipo::check_travel({Line(last_.position, request.to)}, machine_) : std::nullopt;
+  if (outside) {
     probing_.reset();
     return session_->probed({.rest = last_.position, .refusal = std::move(outside)});
   }
@@ -165,6 +168,31 @@ void Operator::probe_on() {
   if (!probing_->has_ended())
     for (Block& block : probing_->blocks(last_.position)) jog_->feed(std::move(block));
   jog_->rest();
+}
+
+void Operator::set_coolant(bool mist, bool flood) {
+  using enum MachineMode;
+  const bool may = mode_ == idle || mode_ == run || mode_ == hold || mode_ == MachineMode::jog;
+  if (!may || before_off_) return;
+  for (Outputs* outputs : {&outputs_, &programmed_}) {
+    outputs->mist = mist;
+    outputs->flood = flood;
+  }
+  session_->set_coolant(mist, flood);
+  if (jog_) jog_->set_coolant(mist, flood);
+  if (!in_motion()) send_outputs();
+}
+
+void Operator::toggle_spindle() {
+  const bool is_off = session_->is_off();  // by a door, or for a change of the tool
+  if (mode_ != MachineMode::hold || in_motion() || is_off) return;
+  if (before_off_) {
+    outputs_ = *std::exchange(before_off_, std::nullopt);
+  } else {
+    before_off_ = outputs_;
+    outputs_.spindle_rpm = 0;
+  }
+  send_outputs();
 }
 
 }  // namespace softcnc::runtime

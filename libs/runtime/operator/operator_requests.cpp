@@ -227,31 +227,6 @@ void Operator::set_spindle_override(double spindle_override) noexcept {
   follow_outputs();
 }
 
-void Operator::set_coolant(bool mist, bool flood) {
-  using enum MachineMode;
-  const bool may = mode_ == idle || mode_ == run || mode_ == hold || mode_ == MachineMode::jog;
-  if (!may || before_off_) return;
-  for (Outputs* outputs : {&outputs_, &programmed_}) {
-    outputs->mist = mist;
-    outputs->flood = flood;
-  }
-  session_->set_coolant(mist, flood);
-  if (jog_) jog_->set_coolant(mist, flood);
-  if (!in_motion()) send_outputs();
-}
-
-void Operator::toggle_spindle() {
-  const bool is_off = session_->is_off();  // by a door, or for a change of the tool
-  if (mode_ != MachineMode::hold || in_motion() || is_off) return;
-  if (before_off_) {
-    outputs_ = *std::exchange(before_off_, std::nullopt);
-  } else {
-    before_off_ = outputs_;
-    outputs_.spindle_rpm = 0;
-  }
-  send_outputs();
-}
-
 void Operator::set_block_skip(bool on) noexcept {
   options_.interpreter.block_skip = on;
   set_switches();
