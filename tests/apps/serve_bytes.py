@@ -26,8 +26,9 @@ from trace_limits import AXES, Limits, Trace, exceeded
 
 BYTES, SEED, PER_SESSION = 20000, 20261129, 100
 JERK = [word for axis in AXES for word in ("--set", f"axis.{axis}.jerk_mm_s3=20000")]
-REPORT_WITHIN, STOP_WITHIN, ANSWERS_WITHIN = 2, 4, 3  # s, on a busy computer
-ENDLESS = ["--set", "program.block_limit=20000"]  # loops without end are given up soon
+SANITIZED = "SOFTCNC_SANITIZED" in os.environ  # slow, and freed memory is kept for a while
+REPORT_WITHIN, STOP_WITHIN, ANSWERS_WITHIN = (20, 20, 20) if SANITIZED else (2, 4, 3)  # s
+ENDLESS = ["--set", "program.block_limit=2000"]  # loops without end are given up soon
 LEAST_TRAVEL = 10  # mm
 MOST_MORE = 64 << 20  # bytes of memory that the server may get more
 
@@ -347,7 +348,7 @@ def hostile(softcnc, folder, sessions, options, count, seed):
     travel = check_trace(softcnc, trace, options, totals.places)
     assert travel > LEAST_TRAVEL, f"the machine has moved by {travel} mm only"
     assert totals.settled > totals.given_up, f"{totals.given_up} sessions without all answers"
-    assert grown < MOST_MORE, f"{grown} bytes of memory more"
+    assert grown < MOST_MORE or SANITIZED, f"{grown} bytes of memory more"
     return (f"{totals.bytes} bytes in {totals.sessions} sessions, {took:.1f} s: "
             f"{totals.answers} answers; {totals.settled} sessions waited for all, "
             f"{totals.given_up} gave up; {totals.stops} stops; slowest report "
