@@ -121,8 +121,6 @@ TEST_CASE("homing finds the machine coordinates from random starts to one BLU",
       const double rest = of.home.place - std::copysign(of.home.back_off, of.home.search);
       CHECK(desk.operated.position()[axis] == Approx(rest).margin(of.blu));
     }
-    desk.places.clear();  // of other coordinates
-    desk.periods.clear();
     desk.settle();
     REQUIRE(desk.operated.mode() == MachineMode::idle);
     for (int axis = 0; axis < kAxes; ++axis)

@@ -79,6 +79,7 @@ class Desk final : public runtime::RowSink {
         }) {}
 
   bool row(const Setpoint& setpoint, std::span<const double>) override {
+    if (operated.has_homed() && homed_from == 0) homed_from = places.size();
     periods.push_back(setpoint.period);
     places.push_back(setpoint.position);
     return true;
@@ -108,6 +109,7 @@ class Desk final : public runtime::RowSink {
     std::array<AxisVector, 4> last;  // places, the present one first
     last.fill(places.empty() ? AxisVector(AxisVector::Zero()) : places.front());
     for (std::size_t i = 1; i < places.size(); ++i) {
+      if (i == homed_from) last.fill(places[i]);
       std::rotate(last.begin(), last.end() - 1, last.end());
       last[0] = places[i];
       const AxisVector v = (last[0] - last[1]) / period;
@@ -134,6 +136,7 @@ class Desk final : public runtime::RowSink {
   std::unique_ptr<hal::Backend> backend;
   std::vector<std::int64_t> periods;
   std::vector<AxisVector> places;
+  std::size_t homed_from = 0;  // the first row in coordinates that homing has set
   std::vector<Code> errors;
   std::vector<std::string> messages;  // of the errors, as a user reads them
   runtime::Operator operated;
