@@ -161,7 +161,7 @@ class DrivenPlayer final : public hal::PortPlayer {
   int ticks_;
   std::optional<RealtimeQueue<hal::PortWord>> words_;
   std::int64_t written_ = 0;
-  hal::PortInputs seen_;
+  hal::InputLevels seen_;
   std::vector<hal::PortChange> changes_;
   Alarm alarm_ = Alarm::none;
 };

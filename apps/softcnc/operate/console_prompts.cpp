@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "motion/model/probe_tip.hpp"
 #include "operate/console.hpp"
 #include "operate/probing_cycles.hpp"
 #include "operate/views.hpp"
@@ -108,8 +109,7 @@ void Console::take_probe(const std::string& text) {
   journal_.add(EntryKind::action, "probe " + text);
   if (control.in_motion()) return journal_.add(EntryKind::fault, "not while the machine moves");
   const Machine& machine = machine_.machine();
-  const auto tool = machine.tools.find(control.state().loaded_tool.value_or(0));
-  const double radius = tool == machine.tools.end() ? machine.probe.radius : tool->second.radius;
+  const double radius = probe_tip(machine, control.state().loaded_tool).radius;
   const auto lines = probing_lines(text, {control.position(), radius}, machine);
   if (!lines) return journal_.add(EntryKind::fault, lines.error());
   probes_ = requests_.line("M70\n" + *lines);

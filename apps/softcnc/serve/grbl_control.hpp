@@ -63,6 +63,7 @@ class GrblControl {
   bool may_read();
   void answer(const GrblInput::Line& line);
   void run(const std::string& line);
+  void refuse_line();
   void miss();
   void begin_modes();
   void jog(std::string_view words);

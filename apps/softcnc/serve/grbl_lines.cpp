@@ -57,8 +57,7 @@ void GrblControl::end_wait() {
     locked_ = !machine_.control().has_homed() || !machine_.control().knows_position();
     return locked_ ? say_error(GrblError::kLocked) : say("ok");
   }
-  if (!found_.empty() && misses_contact(found_.front().code)) return miss();
-  if (!found_.empty()) return refuse(found_.front());
+  if (!found_.empty()) return refuse_line();
   if (probes(waiting_)) {
     reports_.keep_probed(machine_);
     say(reports_.probed());
@@ -100,16 +99,16 @@ void GrblControl::run(const std::string& line) {
     wait_ = waits_for_motion(waiting_) ? Wait::rest : Wait::fewer_blocks;
     return;
   }
-  if (!found_.empty() && misses_contact(found_.front().code))
-    miss();
-  else if (found_.empty())
-    say_error(GrblError::kNotIdle);
-  else
-    refuse(found_.front());
+  found_.empty() ? say_error(GrblError::kNotIdle) : refuse_line();
   found_.clear();
   waiting_.clear();
   wait_ = Wait::recovery;
   if (machine_.machine().attendance.on_error == OnError::hold) hold();
+}
+
+/// For the first thing that was wrong with it.
+void GrblControl::refuse_line() {
+  misses_contact(found_.front().code) ? miss() : refuse(found_.front());
 }
 
 /// A probing move that meets nothing, or begins in a contact.

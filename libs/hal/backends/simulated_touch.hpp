@@ -6,16 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "motion/model/machine.hpp"
+#include "motion/model/probe_tip.hpp"
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::hal {
 
 class SimulatedTouch {
  public:
-  explicit SimulatedTouch(const Machine& machine) {
-    for (const auto& [name, body] : machine.contacts) bodies_.push_back(body);
-  }
+  explicit SimulatedTouch(const Machine& machine) : bodies_(contact_bodies(machine)) {}
 
   bool has_bodies() const noexcept { return !bodies_.empty(); }
   /// From now on this tip may touch.

@@ -61,11 +61,11 @@ void StepDir::read_inputs(Feedback& feedback) noexcept {
       const auto axis = static_cast<std::size_t>(motor.axis());
       place[motor.axis()] =
           motor.position_of(next.counts[axis] + offset_[axis]) - commands_.added(motor.axis());
-      if (next.home[axis] != seen_.home[axis])
+      if (next.levels.home[axis] != seen_.home[axis])
         feedback.switched[motor.axis()] = place[motor.axis()];
     }
-    if (next.probe != seen_.probe) feedback.touched = place;
-    seen_ = next;
+    if (next.levels.probe != seen_.probe) feedback.touched = place;
+    seen_ = next.levels;
   }
   feedback.home = seen_.home;
   feedback.probe = seen_.probe;

@@ -64,7 +64,7 @@ class StepDir final : public Backend {
   StepEdges edges_;
   std::unique_ptr<EdgeSink> out_;
   EdgeInputs* inputs_;           // of that; may be null
-  EdgeInputs::Change seen_;      // the last one
+  InputLevels seen_;             // the last ones
   EdgeInputs::Counts offset_{};  // from its steps to the counts of the axes
 };
 

@@ -91,6 +91,7 @@ class MachineLoader {
   void check_feed(double rate, const std::string& in_words);
   void check_parallel_port();
   void check_port_rate(int index);
+  void check_home_pin(int index);
   void check_pin(const std::string& key, int pin, bool (*fits)(int));
   void check_pin_of(const std::string& name, int pin, bool (*fits)(int));
 
@@ -98,7 +99,6 @@ class MachineLoader {
   using Keys = std::initializer_list<std::string>;
   const GivenAt& place_of(Keys keys) const;
   void fail(Code code, const GivenAt& place, std::string message);
-  void check_home_pin(int index);
   void clash(Code code, Keys keys, std::string message);
 
   LoadedMachine loaded_;

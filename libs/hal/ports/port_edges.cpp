@@ -51,7 +51,7 @@ void PortEdges::follow(double lead) noexcept {
 bool PortEdges::next_change(Change& change) noexcept {
   PortChange next;
   if (!player_->next_change(next)) return false;
-  change = {next.inputs.home, next.inputs.probe, next.inputs.door, places_.after(next.words)};
+  change = {next.inputs, places_.after(next.words)};
   return true;
 }
 

@@ -26,7 +26,7 @@ class PortOutput {
 
   /// Reads the inputs, if any are used: what they stop, and what inputs() then returns. Realtime.
   Alarm look() noexcept;
-  const PortInputs& inputs() const noexcept { return inputs_; }
+  const InputLevels& inputs() const noexcept { return inputs_; }
 
   /// Sets steps low and disables the drives, whatever was written before. Safe in signal handlers.
   void rest() noexcept;
@@ -38,7 +38,7 @@ class PortOutput {
   std::unique_ptr<PortRegisters> registers_;
   PortPins pins_;
   std::string device_;
-  PortInputs inputs_;
+  InputLevels inputs_;
   PortWord word_;                 // as it was given
   std::int64_t tick_ = 0;         // the next base period
   std::optional<PortWord> last_;  // as it was written

@@ -140,8 +140,8 @@ bool PortPins::looks() const noexcept {
   return is_homed || (estop_.bit | limit_.bit | fault_.bit | probe_.bit | door_.bit) != 0;
 }
 
-PortInputs PortPins::inputs(std::uint8_t status) const noexcept {
-  PortInputs inputs{{}, is_high(probe_, status), is_high(door_, status)};
+InputLevels PortPins::inputs(std::uint8_t status) const noexcept {
+  InputLevels inputs{{}, is_high(probe_, status), is_high(door_, status)};
   for (std::size_t i = 0; i < homes_.size(); ++i) inputs.home[i] = is_high(homes_[i], status);
   return inputs;
 }

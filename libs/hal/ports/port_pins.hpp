@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/signals/step_edges.hpp"
+#include "hal/signals/edge_sink.hpp"
 #include "motion/model/machine.hpp"
 #include "motion/model/setpoint.hpp"
 
@@ -20,14 +20,6 @@ struct PortWord {
   std::uint8_t data = 0, control = 0;
   std::uint16_t speed = 0;
   bool operator==(const PortWord&) const = default;
-};
-
-/// What the inputs say that do not stop the port.
-struct PortInputs {
-  std::array<bool, kAxes> home{};  // closed
-  bool probe = false;              // touches
-  bool door = false;               // open
-  bool operator==(const PortInputs&) const = default;
 };
 
 bool is_data_pin(int pin);
@@ -54,7 +46,7 @@ class PortPins {
   bool looks() const noexcept;
   /// Returns what the status register means. Realtime.
   Alarm alarm(std::uint8_t status) const noexcept;
-  PortInputs inputs(std::uint8_t status) const noexcept;
+  InputLevels inputs(std::uint8_t status) const noexcept;
 
  private:
   /// A bit, and how it stands for high; no bit: no pin.

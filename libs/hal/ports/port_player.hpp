@@ -15,7 +15,7 @@ namespace softcnc::hal {
 /// recovered.
 struct PortChange {
   std::int64_t words = 0;
-  PortInputs inputs;
+  InputLevels inputs;
 };
 
 class PortPlayer {

@@ -12,16 +12,22 @@
 
 namespace softcnc::hal {
 
+/// The inputs of a machine that do not stop it.
+struct InputLevels {
+  std::array<bool, kAxes> home{};  // closed
+  bool probe = false;              // touches
+  bool door = false;               // open
+  bool operator==(const InputLevels&) const = default;
+};
+
 /// What a sink has read from the machine.
 class EdgeInputs {
  public:
   using Counts = std::array<std::int64_t, kAxes>;  // steps of each axis, from the first edge on
 
   struct Change {
-    std::array<bool, kAxes> home{};  // closed
-    bool probe = false;              // touches
-    bool door = false;               // open
-    Counts counts{};                 // where the axes were
+    InputLevels levels;
+    Counts counts{};  // where the axes were
   };
 
   virtual ~EdgeInputs() = default;

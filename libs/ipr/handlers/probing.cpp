@@ -6,6 +6,7 @@
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/state/nearness.hpp"
 #include "motion/model/contact.hpp"
+#include "motion/model/probe_tip.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -22,23 +23,7 @@ ProbingCode probing_of(const GCode& code) noexcept {
           code.number == kG382 || code.number == kG384};
 }
 
-/// Null where the machine file has no such tool.
-const Tool* tool_in_spindle(const Task& task) {
-  const auto found = task.machine.tools.find(task.modal.state.loaded_tool.value_or(0));
-  return found == task.machine.tools.end() ? nullptr : &found->second;
-}
-
-/// The tool in the spindle, or a probe in its place.
-ProbeTip tip_of(const Task& task) {
-  const Tool* tool = tool_in_spindle(task);
-  return tool ? ProbeTip{tool->radius, tool->length} : ProbeTip{task.machine.probe.radius, 0};
-}
-
-std::vector<ContactBody> bodies_of(const Machine& machine) {
-  std::vector<ContactBody> bodies;
-  for (const auto& [name, body] : machine.contacts) bodies.push_back(body);
-  return bodies;
-}
+ProbeTip tip_of(const Task& task) { return probe_tip(task.machine, task.modal.state.loaded_tool); }
 
 /// Whether it is no error to find at once what is looked for, or to move nowhere: as LinuxCNC does,
 /// and grbl does not.
@@ -101,7 +86,7 @@ void probe_to(Task& task, const AxisVector& to) {
                              "machine file says what it touches");
     return end_probing(task, to, true);
   }
-  const auto bodies = bodies_of(task.machine);
+  const auto bodies = contact_bodies(task.machine);
   const ProbeTip tip = tip_of(task);
   const AxisVector& from = task.modal.position;
   const bool touches_now = touches(bodies, tip, from);
@@ -121,7 +106,8 @@ void probe_to(Task& task, const AxisVector& to) {
 
 void warn_of_contact(Task& task, const Path& path) {
   const auto* line = std::get_if<softcnc::Line>(&path);
-  if (line == nullptr || tool_in_spindle(task) != nullptr) return;
+  if (line == nullptr || task.machine.tools.contains(task.modal.state.loaded_tool.value_or(0)))
+    return;
   const ProbeTip tip = tip_of(task);
   for (const auto& [name, body] : task.machine.contacts) {
     const auto s = contact_along(*line, std::span(&body, 1), tip, ProbeAim::contact);

@@ -74,7 +74,7 @@ class RealtimePlayer final : public hal::PortPlayer {
   std::optional<RealtimeQueue<hal::PortWord>> words_;
   std::int64_t written_ = 0;  // of them
   BoundedQueue<hal::PortChange> changes_{kChanges};
-  hal::PortInputs seen_;  // the last change that was pushed
+  hal::InputLevels seen_;  // the last change that was pushed
   std::atomic<bool> finishing_{false}, abandoned_{false}, ended_{false};
   std::atomic<Alarm> alarm_{Alarm::none};
   RealtimeRights rights_;
